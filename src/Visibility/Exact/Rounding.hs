@@ -1,0 +1,211 @@
+-- |
+-- Correctly rounded output of exact numbers.
+--
+-- A number is enclosed between two rationals. When both round to the same result, so does the number, because rounding
+-- is monotone. Otherwise the precision is doubled (Ziv's strategy). Only a rational number can lie exactly where the
+-- rounding changes; whether the number is rational is decided first, by merging square classes, and a rational is
+-- rounded directly. So every call ends, and no digit is a guess.
+module Visibility.Exact.Rounding
+  ( -- * Decimals
+    Digits
+  , digits
+  , digitCount
+  , defaultDigits
+  , decimal
+  , decimalQuotient
+
+    -- * Floating point
+  , nearestDouble
+
+    -- * Exact text
+  , rationalText
+  ) where
+
+import Control.Monad (guard)
+import Data.Ratio (denominator, numerator)
+import GHC.Num (integerLog2)
+import Visibility.Exact.RootSum
+  ( RootSum
+  , Sign (Zero)
+  , asRational
+  , enclosureRelative
+  , merged
+  , minus
+  , quotientByRoot
+  , scaled
+  , sign
+  , terms
+  )
+
+-- | A number of significant decimal digits, at least 1.
+newtype Digits = Digits Int
+  deriving (Eq, Ord, Show)
+
+-- | The smart constructor; 'Nothing' for less than one digit.
+digits :: Int -> Maybe Digits
+digits n = if n >= 1 then Just (Digits n) else Nothing
+
+digitCount :: Digits -> Int
+digitCount (Digits n) = n
+
+-- | 17 digits, enough to tell any two Doubles apart.
+defaultDigits :: Digits
+defaultDigits = Digits 17
+
+-- | A sum of roots with N significant digits, correctly rounded; a tie, possible only for a rational, goes to the even
+-- last digit.
+--
+-- Shape: trailing zeros are kept. With e the decimal exponent of the leading digit after rounding, the notation is
+-- positional if −2 ≤ e < N and else scientific, as in @4.08e-3@ or @1.23e7@.
+--
+-- /Degenerate cases:/ zero is @0@ whatever N.
+--
+-- /Cost:/ one integer square root of about 7 N bits per term, unless the digits following the N-th are extreme.
+--
+-- /Laws:/ off by at most half a unit of the last digit; odd in its argument but for the minus sign.
+--
+-- Example: 1\/8 with two digits is @0.12@, 3\/8 is @0.38@, and 9995\/1000 with three is @10.0@.
+--
+-- /Source:/ Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit (1991).
+decimal :: Digits -> RootSum -> String
+decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
+
+-- | The quotient of two sums of roots, written like 'decimal'; 'Nothing' if the divisor is zero.
+--
+-- /Laws:/ agrees with 'decimal' of the quotient where that is a sum of roots known beforehand.
+decimalQuotient :: Digits -> RootSum -> RootSum -> Maybe String
+decimalQuotient n a b = do
+  value <- quotientValue (firstBits n) a b
+  Just (written n (rounded (nearestDecimal n) value))
+
+-- | Enough bits for the digits, and some more so that a second look is seldom needed.
+firstBits :: Digits -> Int
+firstBits (Digits n) = 10 * n `quot` 3 + 28
+
+-- | The Double nearest to a sum of roots; a tie, possible only for a rational, goes to the even significand.
+--
+-- /Degenerate cases:/ from 2¹⁰²⁴ − 2⁹⁷⁰ on, in absolute value, the result is an infinity of the right sign, as IEEE 754
+-- has it. Subnormal results are rounded once. A nonzero number of absolute value 2⁻¹⁰⁷⁵ or less gives 0, or −0 if
+-- negative.
+--
+-- /Laws:/ exact on numbers that are Doubles; monotone.
+nearestDouble :: RootSum -> Double
+nearestDouble s = rounded fromRational (sumValue 80 s)
+
+-- | The shortest exact text of a rational: @2@, @1\/3@, @-7\/2@.
+rationalText :: Rational -> String
+rationalText q
+  | denominator q == 1 = show (numerator q)
+  | otherwise = shows (numerator q) ('/' : show (denominator q))
+
+-- | A real number as rounding needs it.
+data Value = Value
+  { firstLook :: Maybe (Rational, Rational)
+  , settled :: Settled
+  }
+
+-- | What is known after deciding whether a number is rational. An irrational one has an enclosure for each number of
+-- bits, shrinking to it.
+data Settled = IsRational Rational | IsIrrational (Int -> Maybe (Rational, Rational))
+
+-- | Rounds by a monotone function whose steps are at rational places.
+rounded :: Eq a => (Rational -> a) -> Value -> a
+rounded f value = case firstLook value >>= agreed of
+  Just result -> result
+  Nothing -> case settled value of
+    IsRational q -> f q
+    IsIrrational within -> refine within 128
+  where
+    refine within bits = case within bits >>= agreed of
+      Just result -> result
+      Nothing -> refine within (2 * bits)
+    agreed (low, high) = let result = f low in if result == f high then Just result else Nothing
+
+sumValue :: Int -> RootSum -> Value
+sumValue bits s =
+  Value
+    { firstLook = awayFromZero (enclosureRelative bits s)
+    , settled = maybe (IsIrrational (\k -> awayFromZero (enclosureRelative k (merged s)))) IsRational (asRational s)
+    }
+
+quotientValue :: Int -> RootSum -> RootSum -> Maybe Value
+quotientValue bits a b = do
+  guard (sign b /= Zero)
+  Just Value {firstLook = within bits a b, settled = maybe (IsIrrational refined) IsRational (rationalRatio a b)}
+  where
+    refined k = within k (merged a) (merged b)
+    within k x y = do
+      (lowA, highA) <- awayFromZero (enclosureRelative k x)
+      (lowB, highB) <- awayFromZero (enclosureRelative k y)
+      let corners = [p / q | p <- [lowA, highA], q <- [lowB, highB]]
+      Just (minimum corners, maximum corners)
+
+-- | The quotient, if it is rational. The sums are then proportional class by class, so the class of one term of the
+-- divisor yields the only candidate.
+rationalRatio :: RootSum -> RootSum -> Maybe Rational
+rationalRatio a b = do
+  (c, n) <- firstTerm (merged b)
+  quotient <- quotientByRoot a c n
+  let candidate = sum [r | (r, 1) <- terms (merged quotient)]
+  guard (sign (a `minus` scaled candidate b) == Zero)
+  Just candidate
+  where
+    firstTerm s = case terms s of
+      [] -> Nothing
+      term : _ -> Just term
+
+awayFromZero :: (Rational, Rational) -> Maybe (Rational, Rational)
+awayFromZero (low, high)
+  | low > 0 || high < 0 = Just (low, high)
+  | otherwise = Nothing
+
+-- | An integer of N digits, with its sign, and the decimal exponent of its leading digit; or zero.
+data Decimal = Decimal !Integer !Int
+  deriving (Eq)
+
+-- | The nearest decimal of N digits, ties to the even last digit.
+nearestDecimal :: Digits -> Rational -> Decimal
+nearestDecimal (Digits n) q
+  | q == 0 = Decimal 0 0
+  | q < 0 = let Decimal m e = positive (negate q) in Decimal (negate m) e
+  | otherwise = positive q
+  where
+    (least, limit) = (10 ^ (n - 1), 10 ^ n) :: (Integer, Integer)
+    positive a = place a (estimatedExponent a)
+    -- The estimate may be off; the digits before the point tell.
+    place a e
+      | whole < least = place a (e - 1)
+      | whole >= limit = place a (e + 1)
+      | up + whole == limit = Decimal least (e + 1)
+      | otherwise = Decimal (up + whole) e
+      where
+        shift = n - 1 - e
+        (x, y) = (numerator a * 10 ^ max 0 shift, denominator a * 10 ^ max 0 (negate shift))
+        (whole, rest) = x `quotRem` y
+        up = case compare (2 * rest) y of
+          LT -> 0
+          EQ -> whole `rem` 2
+          GT -> 1
+
+-- | The decimal exponent of a positive rational, from the lengths of its parts in bits; nearly always at most one off.
+estimatedExponent :: Rational -> Int
+estimatedExponent q = fromInteger ((bits (numerator q) - bits (denominator q)) * 30103 `div` 100000)
+  where
+    bits = toInteger . integerLog2
+
+written :: Digits -> Decimal -> String
+written (Digits n) (Decimal m e)
+  | m == 0 = "0"
+  | m < 0 = '-' : unsigned
+  | otherwise = unsigned
+  where
+    figures = show (abs m)
+    unsigned
+      | e < -2 || e >= n = pointAfter 1 figures ++ 'e' : show e
+      | e < 0 = "0." ++ replicate (-1 - e) '0' ++ figures
+      | otherwise = pointAfter (e + 1) figures
+
+pointAfter :: Int -> String -> String
+pointAfter k figures = case splitAt k figures of
+  (whole, "") -> whole
+  (whole, part) -> whole ++ '.' : part

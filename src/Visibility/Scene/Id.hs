@@ -1,0 +1,77 @@
+-- | The names of things: what tables use inside, and what files and output say.
+--
+-- A 'CornerId' is a corner's place in the lexicographic order of the scene (by x, then y): comparing two ids compares
+-- two corners, so the sweep never looks at coordinates to order them. What people read is a 'CornerName' or 'SideName',
+-- which counts polygons and corners as the file does.
+module Visibility.Scene.Id
+  ( -- * Names in files and output
+    PolygonId (..)
+  , CornerName (..)
+  , SideName (..)
+  , polygonText
+  , cornerText
+  , sideText
+  , readCornerName
+    -- * Indices inside tables
+  , CornerId (..)
+  , SideId (..)
+  , Object (..)
+  ) where
+
+import Text.Read (readMaybe)
+
+-- | A polygon of the file: obstacles are counted from 0, the enclosure has no number and comes last in every order.
+data PolygonId = Obstacle !Int | Enclosure
+  deriving (Eq, Ord, Show)
+
+-- | Corner k of a polygon, as the file counts. Order: by polygon, then by corner.
+data CornerName = CornerName !PolygonId !Int
+  deriving (Eq, Ord, Show)
+
+-- | Side k of a polygon joins the file's corners k and k+1 (cyclically). Order: by polygon, then by side.
+data SideName = SideName !PolygonId !Int
+  deriving (Eq, Ord, Show)
+
+-- | @3@ for an obstacle, @E@ for the enclosure.
+polygonText :: PolygonId -> String
+polygonText (Obstacle k) = show k
+polygonText Enclosure = "E"
+
+-- | @3.0@, @E.2@: the form of every output.
+cornerText :: CornerName -> String
+cornerText (CornerName p k) = polygonText p <> "." <> show k
+
+-- | @3.0@, @E.2@: the form of every output.
+sideText :: SideName -> String
+sideText (SideName p k) = polygonText p <> "." <> show k
+
+-- | Reads what 'cornerText' writes.
+--
+-- >>> readCornerName "E.2"
+-- Just (CornerName Enclosure 2)
+--
+-- >>> readCornerName "3"
+-- Nothing
+readCornerName :: String -> Maybe CornerName
+readCornerName text = case break (== '.') text of
+  (polygon, '.' : number) -> CornerName <$> readPolygon polygon <*> natural number
+  _ -> Nothing
+  where
+    readPolygon "E" = Just Enclosure
+    readPolygon digits = Obstacle <$> natural digits
+    natural digits
+      | not (null digits), all (`elem` ['0' .. '9']) digits = readMaybe digits
+      | otherwise = Nothing
+
+-- | A corner's rank in the lexicographic order of the scene's corners, from 0.
+newtype CornerId = CornerId Int
+  deriving (Eq, Ord, Show)
+
+-- | A side, named by the corner it starts at when the solid is kept on its left (obstacles counter-clockwise, the
+-- enclosure clockwise). The two faces of a thin wall start at its two ends.
+newtype SideId = SideId Int
+  deriving (Eq, Ord, Show)
+
+-- | What ends a free segment: a side, or the sky beyond everything. Sides come first in the order.
+data Object = Side !SideId | Sky
+  deriving (Eq, Ord, Show)

@@ -1,0 +1,34 @@
+-- | The sweeps of the visibility complex: the topological one, and brute force as its oracle.
+--
+-- +---------------+------------------+-----------------+------------------------------+
+-- | algorithm     | time             | live memory     | source                       |
+-- +===============+==================+=================+==============================+
+-- | 'vertices'    | O(m + n log² n)  | O(n)            | Rivière, horizon trees       |
+-- +---------------+------------------+-----------------+------------------------------+
+-- | 'bruteForce'  | O(n³)            | O(m)            | the definition               |
+-- +---------------+------------------+-----------------+------------------------------+
+--
+-- n corners, m elementary visible pairs.
+module Visibility.Sweep
+  ( -- * Vertices
+    Vertex (..)
+  , vertexCorners
+  , vertexPairs
+  , vertexDirection
+  , isDegenerate
+  , fromCorners
+    -- * The topological sweep
+  , vertices
+  , Sweep
+  , start
+  , step
+  , trace
+  , stepsTaken
+  , pairsSwept
+    -- * The oracle
+  , bruteForce
+  ) where
+
+import Visibility.Sweep.BruteForce
+import Visibility.Sweep.Topological
+import Visibility.Sweep.Vertex

@@ -1,0 +1,163 @@
+-- | The start of the sweep: what each corner sees along the vertical, and its first target, by a plane sweep.
+--
+-- Everything is written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below,
+-- while turns stay what they are. So the left-going half of the sweep is the same code on the same tables.
+--
+-- Verticals need no care: order is lexicographic, which is the same as turning the scene by an infinitely small angle
+-- to the right.
+module Visibility.Sweep.Vertical
+  ( -- * Headings
+    Heading (..)
+  , before
+  , along
+    -- * Codes in tables
+  , solid
+  , skyCode
+  , objectOf
+    -- * The plane sweep
+  , Vertical (..)
+  , verticalSweep
+  ) where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl')
+import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Sequence (Seq, (><))
+import qualified Data.Sequence as Seq
+import qualified Data.Vector.Unboxed as U
+import Visibility.Error (broken)
+import Visibility.Exact.Predicate
+import Visibility.Scene
+
+-- | Which way a sweep's rays go along the line.
+data Heading = Rightward | Leftward
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | Does the first corner come before the second, seen by the heading?
+before :: Heading -> Int -> Int -> Bool
+before Rightward a b = a < b
+before Leftward a b = a > b
+{-# INLINE before #-}
+
+-- | All indices below n in the order of the heading.
+along :: Heading -> Int -> [Int]
+along Rightward n = [0 .. n - 1]
+along Leftward n = [n - 1, n - 2 .. 0]
+
+-- | In a table of objects: no free ray.
+solid :: Int
+solid = -1
+
+-- | In a table of objects of a scene with n corners: the sky. Sides have their own numbers.
+skyCode :: Scene -> Int
+skyCode = cornerCount
+
+-- | What a number in a table of objects stands for, 'Nothing' for 'solid'.
+objectOf :: Scene -> Int -> Maybe Object
+objectOf scene code
+  | code == solid = Nothing
+  | code == skyCode scene = Just Sky
+  | otherwise = Just (Side (SideId code))
+{-# INLINE objectOf #-}
+
+-- | The situation at the start of the half turn, seen by a heading.
+data Vertical = Vertical
+  { floors :: !(U.Vector Int)
+  -- ^ By corner: the object met by its downward ray, or 'solid'.
+  , ceilings :: !(U.Vector Int)
+  -- ^ By corner: the object met by its upward ray, or 'solid'.
+  , firstTargets :: !(U.Vector Int)
+  -- ^ By corner: the corner at the far end of its elementary pair of least slope that leaves forward, −1 where its forward
+  -- rays are solid, n where there is no such corner and it sees the sky.
+  }
+  deriving (Eq, Show)
+
+-- | A status side, from its end that comes first by the heading to the other.
+data Crossing = Crossing !Int !Int
+
+-- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for each
+-- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
+data Status = Status !(Seq Crossing) !(IntMap.IntMap [Int])
+
+-- | What the plane sweep finds at a corner: floor, ceiling and first target.
+data Row = Row !Int !Int !Int
+
+-- | Visits the corners against the heading and keeps the sides that cross the vertical.
+--
+-- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear with
+-- p on a chain stay, so that the first target is the nearest.
+--
+-- /Cost/ O(n log² n) for the searches in the status, O(n) for the chains.
+--
+-- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
+verticalSweep :: Scene -> Heading -> Vertical
+verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (column targetOf)
+  where
+    n = cornerCount scene
+    sky = skyCode scene
+    rows = visit (Status Seq.empty (IntMap.singleton sky [])) (reverse (along heading n))
+    column part = U.replicate n solid U.// [(p, part row) | (p, row) <- rows]
+    floorOf (Row x _ _) = x
+    ceilingOf (Row _ x _) = x
+    targetOf (Row _ _ x) = x
+
+    visit _ [] = []
+    visit status (p : rest) = let (row, status') = meet status p in row `seq` (p, row) : visit status' rest
+
+    next p = let CornerId q = nextCorner scene (CornerId p) in q
+    previous p = let CornerId q = previousCorner scene (CornerId p) in q
+    turnOf = turn (scenePoints scene)
+    beyond = case surroundings scene of
+      OpenSky -> sky
+      Room -> solid
+
+    -- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it
+    -- above. A thin wall has a side of each kind.
+    freeAbove (Crossing a b) = if next b == a then b else solid
+    freeBelow (Crossing a b) = if next a == b then a else solid
+
+    meet (Status crossing chains) p
+      | length leaving /= Seq.length ending = broken "status of the plane sweep" ("at corner " <> show p)
+      | otherwise = (Row floorSide ceilingSide target, Status (below >< Seq.fromList arriving >< above) replaced)
+      where
+        neighbours = if next p == previous p then [next p] else [next p, previous p]
+        arriving = map (`Crossing` p) (upwardsFrom RightTurn (filter (\q -> before heading q p) neighbours))
+        leaving = upwardsFrom LeftTurn (filter (before heading p) neighbours)
+        -- Two neighbours ordered so that the turn from the first to the second, seen from p, is the given one.
+        upwardsFrom wanted [a, b] | turnOf p a b /= wanted = [b, a]
+        upwardsFrom _ qs = qs
+        (below, from) = Seq.splitAt (rankOf p crossing) crossing
+        (ending, above) = Seq.spanl (\(Crossing a _) -> a == p) from
+        floorSide = case Seq.viewr below of
+          Seq.EmptyR -> beyond
+          _ Seq.:> side -> freeAbove side
+        ceilingSide = case Seq.viewl above of
+          Seq.EmptyL -> beyond
+          side Seq.:< _ -> freeBelow side
+        chain = tangentChain p (IntMap.findWithDefault [] floorSide chains)
+        target
+          | floorSide == solid = fromMaybe solid (listToMaybe leaving)
+          | otherwise = fromMaybe sky (listToMaybe chain)
+        extended
+          | floorSide == solid = chains
+          | otherwise = IntMap.insert floorSide (p : chain) chains
+        replaced = foldl' begin (foldl' end extended leaving) arriving
+        end hull q = IntMap.delete (freeAbove (Crossing p q)) hull
+        begin hull side
+          | freeAbove side == solid = hull
+          | otherwise = IntMap.insert (freeAbove side) [p] hull
+
+    -- How many sides of the status lie below corner p, by halving.
+    rankOf p status = search 0 (Seq.length status)
+      where
+        search low high
+          | low >= high = low
+          | liesBelow (Seq.index status middle) = search (middle + 1) high
+          | otherwise = search low middle
+          where
+            middle = (low + high) `div` 2
+        liesBelow (Crossing a b) = turnOf a b p == LeftTurn
+
+    -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
+    tangentChain p (a : b : rest) | turnOf p a b == RightTurn = tangentChain p (b : rest)
+    tangentChain _ chain = chain

@@ -1,0 +1,191 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | What each corner sees just before and just after each of its vertices, in O(1) per elementary pair.
+--
+-- The stream of vertices becomes a stream of events, and that becomes edges. At a direction between two of its vertices,
+-- the line through a corner has a 'View': tangent, ending or buried (mathematics: lines, curves, the dual).
+--
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this project.
+module Visibility.View
+  ( -- * Views
+    View (..)
+  , Flank (..)
+  , End (..)
+  , Incidence (..)
+  , incidences
+  , isBuried
+    -- * The stream of events
+  , Event (..)
+  , events
+    -- * Edges
+  , Edge (..)
+  , edges
+  ) where
+
+import Control.Monad (forM_, when)
+import Control.Monad.ST (ST, runST)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', mapAccumL)
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Exact.Predicate
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (Heading (..), Vertical (..), objectOf, solid, verticalSweep)
+
+-- | A side of a directed line: above is to the left of it.
+data Flank = Above | Below
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | An end of a maximal free segment: the front is where the right-going line leads.
+data End = Back | Front
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The line through a corner at a direction between two of the corner's vertices.
+data View
+  = -- | The polygon lies strictly on this flank of the line; what is seen backward and forward. Three faces meet.
+    Tangent !Flank !Object !Object
+  | -- | The maximal free segment has this end at the corner; what is seen at its other end. Two faces meet.
+    Ending !End !Object
+  | -- | Neither ray is free. No face.
+    Buried
+  deriving (Eq, Ord, Show)
+
+isBuried :: View -> Bool
+isBuried Buried = True
+isBuried _ = False
+
+-- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the front.
+data Incidence = Incidence !Flank !Object !Object
+  deriving (Eq, Ord, Show)
+
+-- | The faces that meet at the curve of a corner under a view: 3 where it is tangent, 2 where it is ending, else none.
+--
+-- /Degenerate cases/ none: at a direction between two vertices no side of the corner lies on the line, and a flat corner is
+-- never tangent.
+--
+-- /Law/ at a vertex, above and below incidences of one label alternate along the corners, before and after it.
+incidences :: Scene -> CornerId -> View -> [Incidence]
+incidences scene c view = case view of
+  Tangent Above back front -> [Incidence Below back front, Incidence Above back arriving, Incidence Above leaving front]
+  Tangent Below back front -> [Incidence Above back front, Incidence Below back leaving, Incidence Below arriving front]
+  Ending Front back -> [Incidence Above back arriving, Incidence Below back leaving]
+  Ending Back front -> [Incidence Above leaving front, Incidence Below arriving front]
+  Buried -> []
+  where
+    CornerId start = c
+    CornerId before = previousCorner scene c
+    leaving = Side (SideId start)
+    arriving = Side (SideId before)
+
+-- | A vertex with the views of its corners, in their order along the line, at the directions just before and just after it.
+data Event = Event
+  { eventVertex :: !Vertex
+  , viewsBefore :: ![View]
+  , viewsAfter :: ![View]
+  }
+  deriving (Eq, Show)
+
+-- | Front and back object of each corner, and 1 where the following corner of its polygon lies above its line.
+data Sights v = Sights {frontOf :: !v, backOf :: !v, nextAbove :: !v}
+
+instance Functor Sights where
+  fmap f (Sights a b c) = Sights (f a) (f b) (f c)
+
+instance Foldable Sights where
+  foldMap f (Sights a b c) = f a <> f b <> f c
+
+instance Traversable Sights where
+  traverse f (Sights a b c) = Sights <$> f a <*> f b <*> f c
+
+-- | The events of a stream of vertices, one each, in its order.
+--
+-- /Requires/ the vertices of the scene in an order in which each corner's vertices come by increasing direction.
+-- /Cost/ O(1) per elementary pair; O(n) memory, as the stream is taken in pieces of n vertices, each piece in place.
+events :: Scene -> [Vertex] -> [Event]
+events scene = go start
+  where
+    n = cornerCount scene
+    start =
+      Sights
+        (floors (verticalSweep scene Rightward))
+        (floors (verticalSweep scene Leftward))
+        (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in fromEnum (q > p)))
+    go _ [] = []
+    go sights vertices =
+      let (piece, rest) = splitAt (max 64 n) vertices
+          (done, sights') = runST $ do
+            mutable <- traverse U.thaw sights
+            done' <- mapM (pass scene mutable) piece
+            frozen <- traverse U.unsafeFreeze mutable
+            pure (done', frozen)
+       in done <> go sights' rest
+
+-- | Turns the line of one vertex through it.
+pass :: Scene -> Sights (M.MVector s Int) -> Vertex -> ST s Event
+pass scene sights vertex = do
+  before <- mapM look line
+  forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing p q (frontOf sights)
+  forM_ pairs $ \(CornerId p, CornerId q) -> do
+    landing q p (backOf sights)
+    when (following p == q) (M.modify (nextAbove sights) (1 -) p)
+    when (following q == p) (M.modify (nextAbove sights) (1 -) q)
+  after <- mapM look line
+  pure (Event vertex before after)
+  where
+    line = vertexCorners vertex
+    pairs = vertexPairs vertex
+    following p = let CornerId q = nextCorner scene (CornerId p) in q
+    preceding p = let CornerId q = previousCorner scene (CornerId p) in q
+
+    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an obstacle,
+    -- a side of q that stands in the way, or what q sees itself.
+    landing p q objects
+      | following p == q, preceding p /= q = M.write objects p solid
+      | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn = M.write objects p (preceding q)
+      | otherwise = M.read objects q >>= M.write objects p
+
+    look (CornerId p) = do
+      front <- M.read (frontOf sights) p
+      back <- M.read (backOf sights) p
+      above <- M.read (nextAbove sights) p
+      let !view = case (objectOf scene back, objectOf scene front) of
+            (Just b, Just f) -> Tangent (if above == 1 then Above else Below) b f
+            (Just b, Nothing) -> Ending Front b
+            (Nothing, Just f) -> Ending Back f
+            (Nothing, Nothing) -> Buried
+      pure view
+
+-- | A maximal interval of directions, open, during which a corner has the same view; cut where the half turn begins.
+data Edge = Edge
+  { edgeCorner :: !CornerId
+  , edgeFrom :: !Direction
+  -- ^ Direction of its first vertex, or (0, −1) where the half turn begins, at −90°.
+  , edgeTo :: !Direction
+  -- ^ Direction of its last vertex, or (0, 1) where the half turn ends, at 90°.
+  , edgeView :: !View
+  -- ^ Never 'Buried'.
+  }
+  deriving (Eq, Show)
+
+-- | The edges of a stream of events, each when its last vertex is reached, those that reach 90° last.
+--
+-- /Cost/ O(log n) per edge, O(n) memory.
+edges :: Scene -> [Event] -> [Edge]
+edges scene stream = concat pieces <> foldr lastEdge [] (IntMap.toList open)
+  where
+    (open, pieces) = mapAccumL close IntMap.empty stream
+    downwards = Direction 0 (-1)
+    close begun (Event vertex before after) =
+      ( foldl' (\m (CornerId c, view) -> IntMap.insert c (to, view) m) begun (zip line after)
+      , [ Edge c (maybe downwards fst (IntMap.lookup k begun)) to view
+        | (c@(CornerId k), view) <- zip line before
+        , not (isBuried view)
+        ]
+      )
+      where
+        line = vertexCorners vertex
+        to = vertexDirection scene vertex
+    lastEdge (c, (from, view)) rest
+      | isBuried view || compareDirections from upwards == EQ = rest
+      | otherwise = Edge (CornerId c) from upwards view : rest
