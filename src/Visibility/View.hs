@@ -14,6 +14,9 @@ module Visibility.View
   , Incidence (..)
   , incidences
   , isBuried
+    -- * Tangency at a vertex
+  , isTangent
+  , freeBitangents
     -- * The stream of events
   , Event (..)
   , events
@@ -47,19 +50,22 @@ data View
     Tangent !Flank !Object !Object
   | -- | The maximal free segment has this end at the corner; what is seen at its other end. Two faces meet.
     Ending !End !Object
-  | -- | Neither ray is free. No face.
-    Buried
+  | -- | Neither ray is free: a reflex corner of the solid, whose free cone lies on this flank. The segment through it is a single
+    -- point, so it is no edge of the complex; yet it bounds one face, the segments that cut the corner off.
+    Buried !Flank
   deriving (Eq, Ord, Show)
 
+-- | Is the line through the corner no edge of the complex?
 isBuried :: View -> Bool
-isBuried Buried = True
+isBuried (Buried _) = True
 isBuried _ = False
 
 -- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the front.
 data Incidence = Incidence !Flank !Object !Object
   deriving (Eq, Ord, Show)
 
--- | The faces that meet at the curve of a corner under a view: 3 where it is tangent, 2 where it is ending, else none.
+-- | The faces that meet at the curve of a corner under a view: 3 where it is tangent, 2 where it is ending, 1 where it
+-- is buried.
 --
 -- /Degenerate cases/ none: at a direction between two vertices no side of the corner lies on the line, and a flat corner is
 -- never tangent.
@@ -71,12 +77,43 @@ incidences scene c view = case view of
   Tangent Below back front -> [Incidence Above back front, Incidence Below back leaving, Incidence Below arriving front]
   Ending Front back -> [Incidence Above back arriving, Incidence Below back leaving]
   Ending Back front -> [Incidence Above leaving front, Incidence Below arriving front]
-  Buried -> []
+  Buried Above -> [Incidence Above leaving arriving]
+  Buried Below -> [Incidence Below arriving leaving]
   where
     CornerId start = c
     CornerId before = previousCorner scene c
     leaving = Side (SideId start)
     arriving = Side (SideId before)
+
+-- | Does the line through two corners leave the polygon at the first of them on one side, so that both rays are free there?
+--
+-- /Degenerate cases/ running along a side is free: a flat corner is tangent along its sides, a reflex corner never, an end of
+-- a thin wall always.
+isTangent :: Scene -> CornerId -> CornerId -> Bool
+isTangent scene c towards
+  | isWallCorner scene c = True
+  | onNext == Collinear && onPrevious == Collinear = True
+  | onNext /= Collinear && onPrevious == opposite onNext = False
+  | otherwise = turn points before i after /= RightTurn
+  where
+    points = scenePoints scene
+    CornerId i = c
+    CornerId j = towards
+    CornerId after = nextCorner scene c
+    CornerId before = previousCorner scene c
+    onNext = turn points i j after
+    onPrevious = turn points i j before
+
+-- | The elementary pairs of a vertex whose line is tangent at both corners, without those that are sides.
+freeBitangents :: Scene -> Vertex -> [(CornerId, CornerId)]
+freeBitangents scene vertex =
+  [ (p, q)
+  | (p, q) <- vertexPairs vertex
+  , nextCorner scene p /= q
+  , previousCorner scene p /= q
+  , isTangent scene p q
+  , isTangent scene q p
+  ]
 
 -- | A vertex with the views of its corners, in their order along the line, at the directions just before and just after it.
 data Event = Event
@@ -149,11 +186,12 @@ pass scene sights vertex = do
       front <- M.read (frontOf sights) p
       back <- M.read (backOf sights) p
       above <- M.read (nextAbove sights) p
-      let !view = case (objectOf scene back, objectOf scene front) of
-            (Just b, Just f) -> Tangent (if above == 1 then Above else Below) b f
+      let flank = if above == 1 then Above else Below
+          !view = case (objectOf scene back, objectOf scene front) of
+            (Just b, Just f) -> Tangent flank b f
             (Just b, Nothing) -> Ending Front b
             (Nothing, Just f) -> Ending Back f
-            (Nothing, Nothing) -> Buried
+            (Nothing, Nothing) -> Buried flank
       pure view
 
 -- | A maximal interval of directions, open, during which a corner has the same view; cut where the half turn begins.

@@ -45,6 +45,7 @@ newtype Digits = Digits Int
 digits :: Int -> Maybe Digits
 digits n = if n >= 1 then Just (Digits n) else Nothing
 
+-- | The number itself.
 digitCount :: Digits -> Int
 digitCount (Digits n) = n
 

@@ -34,7 +34,7 @@ import Data.List (sortBy)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Error (broken)
+import Visibility.Law (broken)
 import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
 import Visibility.Scene

@@ -22,7 +22,7 @@ import Control.Monad.ST (ST, runST)
 import Data.List (unfoldr)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Error (broken)
+import Visibility.Law (broken)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree

@@ -25,7 +25,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Sequence (Seq, (><))
 import qualified Data.Sequence as Seq
 import qualified Data.Vector.Unboxed as U
-import Visibility.Error (broken)
+import Visibility.Law (broken)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 

@@ -1,0 +1,200 @@
+# `make` lists the targets.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.ONESHELL:
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory
+
+# GHC reads its sources in the encoding of the locale.
+export LANG := C.UTF-8
+export LC_ALL := C.UTF-8
+
+# What a caller may set.
+BUILDDIR ?= dist-newstyle
+CABAL_FLAGS ?=
+# QuickCheck cases of each property in the run at -O0, which is slow.
+O0_CASES ?= 20
+# Scenes that `demo` runs.
+SCENES ?= $(sort $(wildcard scenes/*.json))
+# Passed to the benchmark.
+BENCH_ARGS ?=
+
+EXE := bin/viscomplex
+
+# The Debian packages, and the same by the names and bounds of package.yaml.
+PACKAGES := ghc cabal-install hpack hspec-discover \
+  libghc-aeson-dev libghc-attoparsec-dev libghc-diagrams-lib-dev \
+  libghc-diagrams-svg-dev libghc-hspec-dev libghc-optparse-applicative-dev \
+  libghc-quickcheck2-dev libghc-scientific-dev libghc-temporary-dev \
+  libghc-vector-dev libghc-vector-algorithms-dev
+FIGURE_PACKAGES := librsvg2-bin
+
+# All state of cabal lies in the checkout. Where the installed packages suffice, cabal knows no other source and never
+# looks for a network.
+define CABAL
+cabal() {
+  if [ -e dist-newstyle/from-hackage ]; then command cabal "$$@"
+  else CABAL_DIR="$$PWD/dist-newstyle/cabal" CABAL_CONFIG="$$PWD/cabal.offline.config" command cabal "$$@"
+  fi
+}
+build() { hpack --silent --force && cabal build --builddir=$(BUILDDIR) $(CABAL_FLAGS) "$$@"; }
+endef
+
+# True if dpkg has all of the packages named.
+define INSTALLED
+installed() {
+  command -v dpkg-query >/dev/null &&
+  [ "$$(dpkg-query -W -f='$${db:Status-Status}\n' "$$@" 2>/dev/null | grep -cx installed)" = "$$#" ]
+}
+install() {
+  local sudo=
+  if [ "$$(id -u)" != 0 ]; then sudo=sudo; command -v sudo >/dev/null || return 1; fi
+  $$sudo apt-get update && $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$$@"
+}
+endef
+
+.PHONY: help
+help: ## this list
+	@echo 'viscomplex: targets'
+	sed -nE 's/^([a-z]+):.*## (.*)/  make \1\t\2/p' Makefile | expand -t 18
+
+.PHONY: setup
+setup: ## install what is missing (Debian 12: apt; elsewhere it says what is needed)
+	@$(INSTALLED)
+	$(CABAL)
+	mkdir -p dist-newstyle
+	marker=dist-newstyle/from
+	if installed $(PACKAGES); then rm -f $$marker-*; exit 0; fi
+	if [ -e $$marker-hackage ] || [ -e $$marker-system ]; then exit 0; fi
+	if command -v apt-get >/dev/null && install $(PACKAGES); then exit 0; fi
+	{
+	  if command -v apt-get >/dev/null; then
+	    echo 'The packages could not be installed from here. As root:'
+	    echo
+	    echo 'apt-get update && apt-get install $(PACKAGES)' | fold -s -w 90 | sed -e 's/^/    /' -e '$$!s/$$/\\/'
+	    echo
+	    echo 'Without them, viscomplex needs'
+	  else
+	    echo 'There is no apt-get here, so nothing is installed. viscomplex needs'
+	  fi
+	  echo
+	  echo '    GHC     9.0 to 9.4 (base >= 4.15 && < 4.18)'
+	  echo '    cabal   3.4 or later'
+	  echo '    hpack   0.34.6 or later'
+	  echo '    gcc, make, bash, awk'
+	  echo
+	  echo 'and these Haskell packages; cabal fetches those that are not installed from Hackage (cabal update, once):'
+	  echo
+	  sed -nE 's/^  - &[a-z0-9-]+ +/    /p' package.yaml
+	  echo
+	  missing=
+	  for tool in ghc cabal hpack; do
+	    if path=$$(type -P $$tool); then echo "    $$tool is $$path"
+	    else echo "    $$tool is not on PATH"; missing="$$missing $$tool"; fi
+	  done
+	  echo
+	  if [ -n "$$missing" ]; then echo "Missing:$$missing. Install and run make again."; exit 1; fi
+	  hpack --silent --force
+	  if type -P hspec-discover >/dev/null && cabal build --dry-run all >/dev/null 2>&1; then
+	    touch $$marker-system
+	    echo 'All three are here, and the installed Haskell packages suffice: going on without Hackage.'
+	  else
+	    touch $$marker-hackage
+	    echo 'All three are here: going on with Hackage.'
+	  fi
+	} >&2
+
+.PHONY: build
+build: setup ## build bin/viscomplex
+	@$(CABAL)
+	build exe:viscomplex
+	mkdir -p $(dir $(EXE))
+	built=$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) exe:viscomplex)
+	cmp -s "$$built" $(EXE) || install -m 755 "$$built" $(EXE)
+
+.PHONY: demo
+demo: build ## run the main job on scenes/, into out/
+	@mkdir -p out
+	start=$$SECONDS
+	for scene in $(SCENES); do
+	  name=$$(basename "$$scene" .json)
+	  out=out/$$name
+	  mkdir -p "$$out"
+	  step() { "$(EXE)" "$$@" || { echo "demo: failed: $(EXE) $$*" >&2; exit 1; }; }
+	  step info "$$scene" > "$$out/info.txt"
+	  step graph "$$scene" > "$$out/graph.txt"
+	  step factors "$$scene" --digits 17 > "$$out/factors.csv"
+	  step draw scene "$$scene" -o "$$out/scene.svg"
+	  step draw dual "$$scene" -o "$$out/dual.svg"
+	  printf '%-28s %7d visible pairs  %7d form factors  scene.svg  dual.svg\n' "$$out" \
+	    "$$(wc -l < "$$out/graph.txt")" "$$(($$(wc -l < "$$out/factors.csv") - 1))"
+	done
+	echo
+	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg and out/*/dual.svg; numbers are in graph.txt, factors.csv and info.txt beside them."
+
+# hspec's summary is "N examples, N failures[, N pending]". A pending test counts as failed, and so does a run that
+# ends without a summary or without a single test.
+define COUNT
+passed=0; failed=0
+count() {
+  local line examples failures pending
+  line=$$(grep -E '^[0-9]+ examples?, [0-9]+ failures?' "$$1" | tail -n 1) || { failed=$$((failed + 1)); return; }
+  examples=$$(sed -E 's/^([0-9]+) example.*/\1/' <<< "$$line")
+  failures=$$(sed -E 's/.*, ([0-9]+) failure.*/\1/' <<< "$$line")
+  pending=$$(sed -nE 's/.*, ([0-9]+) pending.*/\1/p' <<< "$$line")
+  pending=$${pending:-0}
+  passed=$$((passed + examples - failures - pending))
+  failed=$$((failed + failures + pending))
+  if [ "$$examples" = 0 ] || { [ "$$2" != 0 ] && [ "$$failures" = 0 ]; }; then failed=$$((failed + 1)); fi
+}
+verdict() { echo "$$passed passed, $$failed failed"; [ "$$failed" = 0 ]; }
+endef
+
+.PHONY: test
+test: ## all tests, at -O2 and once at -O0; the last line is "N passed, N failed"
+	@$(CABAL)
+	$(COUNT)
+	logs=$$(mktemp -d); trap 'rm -rf "$$logs"' EXIT
+	broken() { failed=$$((failed + 1)); echo "$$1" >&2; verdict; exit 1; }
+	$(MAKE) build || broken 'The build failed.'
+	# hspec-discover runs only when Spec.hs is compiled, so a new spec must touch it.
+	specs=$$(find test -name '*Spec.hs' | sort)
+	mkdir -p $(BUILDDIR)
+	if [ "$$specs" != "$$(cat $(BUILDDIR)/specs 2>/dev/null)" ]; then touch test/Spec.hs; echo "$$specs" > $(BUILDDIR)/specs; fi
+	run() { # level, builddir, executable of the suite, options of hspec
+	  echo; echo "== tests at $$1"
+	  local status=0
+	  VISCOMPLEX_EXE="$$2" "$${@:3}" 2>&1 | tee "$$logs/$$1" || status=$$?
+	  count "$$logs/$$1" "$$status"
+	}
+	build test:spec || broken 'The tests could not be built at -O2.'
+	run -O2 "$$PWD/$(EXE)" "$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) test:spec)"
+	o0=(--builddir=$(BUILDDIR)/O0 -O0 --ghc-options='-O0 -j')
+	build "$${o0[@]}" exe:viscomplex test:spec || broken 'The tests could not be built at -O0.'
+	bin() { cabal list-bin "$${o0[@]}" $(CABAL_FLAGS) "$$1"; }
+	run -O0 "$$(bin exe:viscomplex)" "$$(bin test:spec)" --qc-max-success=$(O0_CASES)
+	verdict
+
+.PHONY: bench
+bench: build ## run the benchmark
+	@$(CABAL)
+	build bench:ladder
+	VISCOMPLEX_EXE="$$PWD/$(EXE)" "$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:ladder)" $(BENCH_ARGS)
+
+.PHONY: figures
+figures: ## turn the SVG in out/ into PNG, 800 pixels wide
+	@$(INSTALLED)
+	if ! command -v rsvg-convert >/dev/null; then
+	  { command -v apt-get >/dev/null && install $(FIGURE_PACKAGES); } || { echo 'figures needs rsvg-convert (Debian: $(FIGURE_PACKAGES)).' >&2; exit 1; }
+	fi
+	shopt -s nullglob globstar
+	figures=(out/**/*.svg)
+	[ $${#figures[@]} -gt 0 ] || { echo 'There is no SVG in out/. Run make demo first.' >&2; exit 1; }
+	for svg in "$${figures[@]}"; do rsvg-convert --width 800 --keep-aspect-ratio --background-color white "$$svg" -o "$${svg%.svg}.png"; done
+	echo "$${#figures[@]} figures turned into PNG beside their SVG."
+
+.PHONY: clean
+clean: ## remove all that was built
+	@rm -rf dist-newstyle bin out viscomplex.cabal

@@ -1,0 +1,17 @@
+-- | The command line of viscomplex. No geometry here.
+module Main (main) where
+
+import Command.Draw (runDraw)
+import Command.Generate (runGenerate)
+import Command.Query (runFactors, runGraph, runInfo)
+import Options
+
+main :: IO ()
+main = do
+  command <- readCommand
+  case command of
+    Info common -> runInfo common
+    Graph common options -> runGraph common options
+    Factors common options -> runFactors common options
+    Draw common options -> runDraw common options
+    Generate options -> runGenerate options

@@ -1,0 +1,48 @@
+-- | A line on the terminal that says how far long work has come.
+module Progress
+  ( withProgress
+  ) where
+
+import Control.Monad (when)
+import Data.IORef (newIORef, readIORef, writeIORef)
+import Data.Word (Word64)
+import GHC.Clock (getMonotonicTimeNSec)
+import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
+import System.IO.Unsafe (unsafeInterleaveIO)
+
+-- | Runs an action on a list that shows, while it is consumed, how much of it has been; then clears the line. Nothing is shown
+-- in the first second, nor where standard error is no terminal.
+--
+-- The list is read lazily, as standard input would be, so that memory stays what the action needs.
+withProgress :: String -> [a] -> ([a] -> IO b) -> IO b
+withProgress what items act = do
+  terminal <- hIsTerminalDevice stderr
+  if not terminal
+    then act items
+    else do
+      begun <- getMonotonicTimeNSec
+      shown <- newIORef begun
+      result <- watched shown 0 items >>= act
+      final <- readIORef shown
+      when (final > begun) $ hPutStr stderr "\r\ESC[K" >> hFlush stderr
+      pure result
+  where
+    watched shown done rest = unsafeInterleaveIO $ case splitAt piece rest of
+      ([], _) -> pure []
+      (now, later) -> do
+        let done' = done + length now
+        tick shown done'
+        (now <>) <$> watched shown done' later
+    tick shown done = do
+      time <- getMonotonicTimeNSec
+      latest <- readIORef shown
+      when (time - latest > second) $ do
+        writeIORef shown time
+        hPutStr stderr ("\r\ESC[K" <> show (done :: Int) <> " " <> what) >> hFlush stderr
+
+-- | Items between two looks at the clock.
+piece :: Int
+piece = 4096
+
+second :: Word64
+second = 1000000000

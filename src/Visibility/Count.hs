@@ -1,0 +1,61 @@
+-- | Sizes of the visibility complex, counted along the stream of events in O(n) memory.
+module Visibility.Count
+  ( Counts (..)
+  , count
+  ) where
+
+import Data.List (foldl')
+import qualified Data.Map.Strict as Map
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.View
+
+-- | How many there are of each.
+data Counts = Counts
+  { vertexCount :: !Int
+  , degenerateCount :: !Int
+  -- ^ Vertices with three or more corners.
+  , pairCount :: !Int
+  -- ^ m, the elementary visible pairs.
+  , bitangentCount :: !Int
+  -- ^ Elementary pairs whose line is tangent at both corners, sides left out.
+  , edgeCount :: !Int
+  , faceCount :: !Int
+  }
+  deriving (Eq, Show)
+
+-- | Counts all events of a half turn.
+--
+-- Every edge begins at one vertex, and so does every face but one: under an open sky the lines that miss everything form a face
+-- without a first vertex. A face begins at a vertex where, just after it, two corners of the line bound it from above and
+-- from below.
+--
+-- /Cost/ O(log k) per corner of a vertex with k corners.
+count :: Scene -> [Event] -> Counts
+count scene = foldl' add (Counts 0 0 0 0 0 unbounded)
+  where
+    unbounded = case surroundings scene of
+      OpenSky -> 1
+      Room -> 0
+    add counts (Event vertex _ after) =
+      Counts
+        { vertexCount = vertexCount counts + 1
+        , degenerateCount = degenerateCount counts + (if isDegenerate vertex then 1 else 0)
+        , pairCount = pairCount counts + length (vertexPairs vertex)
+        , bitangentCount = bitangentCount counts + length (freeBitangents scene vertex)
+        , edgeCount = edgeCount counts + length (filter (not . isBuried) after)
+        , faceCount = faceCount counts + facesBegun scene (zip (vertexCorners vertex) after)
+        }
+
+-- | The faces that begin at a vertex, from the views just after it. There the corners lie from above downwards in their order along
+-- the line, so going down it is a face that one corner opens and a later one closes.
+facesBegun :: Scene -> [(CornerId, View)] -> Int
+facesBegun scene line =
+  sum (map closedAfterOpened (Map.elems (Map.fromListWith (flip (<>)) incidencesByLabel)))
+  where
+    incidencesByLabel =
+      [ ((back, front), [flank])
+      | (c, view) <- line
+      , Incidence flank back front <- incidences scene c view
+      ]
+    closedAfterOpened flanks = length (filter (== (Below, Above)) (zip flanks (drop 1 flanks)))

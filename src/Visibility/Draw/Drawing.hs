@@ -1,0 +1,277 @@
+-- | Figures as values: a list of marks in named layers, which no drawing library has seen.
+--
+-- Figures are made and tested as such lists; "Visibility.Draw.Render" turns them into SVG. A mark says what it stands for and what it means, not how it looks.
+-- Places are in pixels, (0, 0) at the lower left, y upwards.
+module Visibility.Draw.Drawing
+  ( -- * Drawings
+    Drawing (..)
+  , Layer (..)
+  , Density (..)
+  , densityOf
+  , Mark (..)
+  , Shape (..)
+  , Anchor (..)
+  , Style (..)
+  , Place (..)
+  , drawingMarks
+  , marksIn
+    -- * Extents
+  , Box (..)
+  , textBox
+  , textBoxAt
+  , textWidth
+  , textSize
+  , boxesMeet
+  , segmentMeetsBox
+  , strokes
+  , dotRadius
+    -- * Checks
+  , Flaw (..)
+  , labelCollisions
+  , strayMarks
+    -- * As text
+  , listing
+  ) where
+
+import Data.List (tails)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Numeric (showFFloat)
+
+-- | A figure. The title and the description are for those who cannot see it.
+data Drawing = Drawing
+  { drawingTitle :: !Text
+  , drawingDescription :: !Text
+  , drawingWidth :: !Double
+  , drawingHeight :: !Double
+  , drawingLayers :: ![Layer]
+  -- ^ From the bottom upwards.
+  }
+  deriving (Eq, Show)
+
+-- | Marks of one kind, the later ones above.
+data Layer = Layer
+  { layerName :: !Text
+  -- ^ Different in each layer; becomes the class of the SVG group.
+  , layerDensity :: !Density
+  , layerMarks :: ![Mark]
+  }
+  deriving (Eq, Show)
+
+-- | How crowded a layer is: strokes and dots become thinner, none is left out.
+data Density = Sparse | Dense | Crowded
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The density of a layer of so many marks: at most 600 are sparse, at most 6000 dense.
+densityOf :: Int -> Density
+densityOf k
+  | k <= 600 = Sparse
+  | k <= 6000 = Dense
+  | otherwise = Crowded
+
+-- | One shape. Its name is that of the thing drawn: @3@ for a polygon, @0.1@ for a corner, @0.1 2.3@ for a line through
+-- two; empty for what belongs to the figure itself.
+data Mark = Mark
+  { markName :: !Text
+  , markStyle :: !Style
+  , markShape :: !Shape
+  }
+  deriving (Eq, Show)
+
+data Shape
+  = -- | A closed region by its corners, filled, with its outline where the style has one.
+    Region ![Place]
+  | Polyline ![Place]
+  | -- | A small disc whose size depends on the style only.
+    Dot !Place
+  | -- | One line of text; the place is on the base line.
+    Label !Anchor !Place !Text
+  deriving (Eq, Show)
+
+-- | Which part of a text is at its place.
+data Anchor = StartAnchor | MiddleAnchor | EndAnchor
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | What a mark means. How it looks is decided in "Visibility.Draw.Render" alone.
+data Style
+  = -- | The opaque outside of a room.
+    Outside
+  | -- | The free inside of a room.
+    RoomFloor
+  | Obstacle
+  | -- | The outline of a room.
+    RoomWall
+  | ThinWall
+  | Bitangent
+  | -- | The dark rim below a light source.
+    LightRim
+  | LightSource
+  | LightRay
+  | TangentCurve
+  | EndingCurve
+  | VertexDot
+  | DegenerateVertexDot
+  | Axis
+  | -- | The line u = 0 or another faint line of reference.
+    Reference
+  | Tick
+  | -- | A thin line from a corner or curve to its label.
+    Leader
+  | CornerLabel
+  | PolygonLabel
+  | TickLabel
+  | AxisTitle
+  | FigureTitle
+  | Caption
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | Pixels to the right and upwards.
+data Place = Place !Double !Double
+  deriving (Eq, Ord, Show)
+
+-- | All marks, from the bottom upwards.
+drawingMarks :: Drawing -> [Mark]
+drawingMarks = concatMap layerMarks . drawingLayers
+
+-- | The marks of the layer of this name.
+marksIn :: Text -> Drawing -> [Mark]
+marksIn name drawing = concat [layerMarks layer | layer <- drawingLayers drawing, layerName layer == name]
+
+-- | A rectangle: left, bottom, right, top.
+data Box = Box !Double !Double !Double !Double
+  deriving (Eq, Show)
+
+-- | The size of the font, in pixels; 0 for what is not text.
+textSize :: Style -> Double
+textSize style = case style of
+  FigureTitle -> 15
+  AxisTitle -> 14
+  Caption -> 12
+  TickLabel -> 12
+  PolygonLabel -> 11
+  CornerLabel -> 11
+  _ -> 0
+
+-- | An upper bound for the usual sans serif fonts: the reader's font is not known.
+textWidth :: Style -> Text -> Double
+textWidth style text = textSize style * sum (map letter (Text.unpack text))
+  where
+    letter c
+      | c `elem` ['0' .. '9'] = 0.64
+      | c `elem` " .,:;ijl|'()" = 0.39
+      | c `elem` "mwMW−+=" = 0.99
+      | c `elem` ['A' .. 'Z'] = 0.78
+      | otherwise = 0.64
+
+-- | The box of a text in a style at a place.
+textBoxAt :: Style -> Anchor -> Place -> Text -> Box
+textBoxAt style anchor (Place x y) text = Box left (y - below * size) (left + width) (y + 0.76 * size)
+  where
+    size = textSize style
+    width = textWidth style text
+    below = if Text.any (`elem` "gjpqyQ,;()/") text then 0.24 else 0.02
+    left = case anchor of
+      StartAnchor -> x
+      MiddleAnchor -> x - width / 2
+      EndAnchor -> x - width
+
+-- | The box of a mark that is text.
+textBox :: Mark -> Maybe Box
+textBox (Mark _ style (Label anchor place text)) = Just (textBoxAt style anchor place text)
+textBox _ = Nothing
+
+-- | Do two boxes share a point inside both?
+boxesMeet :: Box -> Box -> Bool
+boxesMeet (Box l b r t) (Box l' b' r' t') = l < r' && l' < r && b < t' && b' < t
+
+-- | Does a segment run through the inside of a box?
+segmentMeetsBox :: Box -> (Place, Place) -> Bool
+segmentMeetsBox (Box l b r t) (Place x0 y0, Place x1 y1)
+  | max x0 x1 <= l || min x0 x1 >= r || max y0 y1 <= b || min y0 y1 >= t = False
+  | otherwise = any (> 0) corners && any (< 0) corners
+  where
+    -- On which side of the segment's line the box's corners lie.
+    corners = [(x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) | x <- [l, r], y <- [b, t]]
+
+-- | The segments that a mark draws.
+strokes :: Mark -> [(Place, Place)]
+strokes (Mark _ _ shape) = case shape of
+  Region places@(first : _ : _) -> zip places (drop 1 places <> [first])
+  Polyline places -> zip places (drop 1 places)
+  _ -> []
+
+-- | The radius of a dot, in pixels.
+dotRadius :: Density -> Style -> Double
+dotRadius density style = case (style, density) of
+  (DegenerateVertexDot, Sparse) -> 3.6
+  (DegenerateVertexDot, Dense) -> 2.2
+  (DegenerateVertexDot, Crowded) -> 1.2
+  (_, Sparse) -> 2.2
+  (_, Dense) -> 1.2
+  (_, Crowded) -> 0.6
+
+-- | What is wrong with a label, by the names of the marks.
+data Flaw
+  = LabelOnLabel !Text !Text
+  | LabelOnLine !Text !Text
+  | LabelOnDot !Text !Text
+  deriving (Eq, Ord, Show)
+
+-- | Texts that run over another text, a line, an outline or a dot. Meant to be empty.
+--
+-- /Cost/ the number of texts times that of segments.
+labelCollisions :: Drawing -> [Flaw]
+labelCollisions drawing =
+  [LabelOnLabel a b | ((a, box) : others) <- tails texts, (b, box') <- others, boxesMeet box box']
+    <> [ LabelOnLine a (markName mark)
+       | layer <- drawingLayers drawing
+       , mark <- layerMarks layer
+       , segments@(_ : _) <- [strokes mark]
+       , (a, box) <- texts
+       , any (segmentMeetsBox box) segments
+       ]
+    <> [ LabelOnDot a name
+       | layer <- drawingLayers drawing
+       , Mark name style (Dot (Place x y)) <- layerMarks layer
+       , let r = dotRadius (layerDensity layer) style
+       , (a, box) <- texts
+       , boxesMeet box (Box (x - r) (y - r) (x + r) (y + r))
+       ]
+  where
+    texts = [(text, box) | mark@(Mark _ _ (Label _ _ text)) <- drawingMarks drawing, Just box <- [textBox mark]]
+
+-- | Marks that leave the canvas. Meant to be empty.
+strayMarks :: Drawing -> [Mark]
+strayMarks drawing = filter (any outside . extremes) (drawingMarks drawing)
+  where
+    outside (Place x y) = not (x >= 0 && x <= drawingWidth drawing && y >= 0 && y <= drawingHeight drawing)
+    extremes mark = case (markShape mark, textBox mark) of
+      (_, Just (Box l b r t)) -> [Place l b, Place r t]
+      (Region places, _) -> places
+      (Polyline places, _) -> places
+      (Dot place, _) -> [place]
+      (Label _ place _, _) -> [place]
+
+-- | A drawing as lines of text, places to hundredths of a pixel: what golden tests compare.
+listing :: Drawing -> String
+listing drawing =
+  unlines $
+    [ "title " <> Text.unpack (drawingTitle drawing)
+    , "description " <> Text.unpack (drawingDescription drawing)
+    , "size " <> number (drawingWidth drawing) <> " " <> number (drawingHeight drawing)
+    ]
+      <> concatMap layerLines (drawingLayers drawing)
+  where
+    layerLines (Layer name density marks) =
+      ("layer " <> Text.unpack name <> " " <> show density) : map (("  " <>) . markLine) marks
+    markLine (Mark name style shape) =
+      unwords (show style : ["[" <> Text.unpack name <> "]" | not (Text.null name)] <> shapeWords shape)
+    shapeWords shape = case shape of
+      Region places -> "region" : map placed places
+      Polyline places -> "polyline" : map placed places
+      Dot place -> ["dot", placed place]
+      Label anchor place text -> ["text", show anchor, placed place, show (Text.unpack text)]
+    placed (Place x y) = number x <> "," <> number y
+    number v = case showFFloat (Just 2) v "" of
+      "-0.00" -> "0.00"
+      digits -> digits

@@ -1,0 +1,91 @@
+-- | Legends and captions: a row of swatches with their meanings, broken where it gets too long, and lines of text.
+module Visibility.Draw.Legend
+  ( Entry (..)
+  , lineSwatch
+  , regionSwatch
+  , dotSwatch
+  , legendHeight
+  , legend
+  , captionLines
+  , rowHeight
+  ) where
+
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Visibility.Draw.Drawing
+
+-- | What a style means. The swatch is drawn in the box given.
+data Entry = Entry
+  { entrySwatch :: Box -> [Mark]
+  , entryText :: !Text
+  }
+
+-- | A piece of line in some styles, the later above.
+lineSwatch :: [Style] -> Box -> [Mark]
+lineSwatch styles (Box l b r t) = [Mark Text.empty style (Polyline [Place l y, Place r y]) | style <- styles]
+  where
+    y = (b + t) / 2
+
+-- | A filled rectangle.
+regionSwatch :: Style -> Box -> [Mark]
+regionSwatch style (Box l b r t) = [Mark Text.empty style (Region [Place l b, Place r b, Place r t, Place l t])]
+
+-- | A dot.
+dotSwatch :: Style -> Box -> [Mark]
+dotSwatch style (Box l b r t) = [Mark Text.empty style (Dot (Place ((l + r) / 2) ((b + t) / 2)))]
+
+-- | The height of a row, in pixels.
+rowHeight :: Double
+rowHeight = 19
+
+swatchWidth, swatchGap, entryGap :: Double
+swatchWidth = 24
+swatchGap = 6
+entryGap = 20
+
+-- | How high a legend of this width is.
+legendHeight :: Double -> [Entry] -> Double
+legendHeight width entries = rowHeight * fromIntegral (length (rows width entries))
+
+-- | The marks of a legend by its left, its top and its width.
+legend :: Double -> Double -> Double -> [Entry] -> [Mark]
+legend left top width entries =
+  concat
+    [ entryMarks (left + x) (top - rowHeight * (k + 0.5)) entry
+    | (k, row) <- zip [0 ..] (rows width entries)
+    , (x, entry) <- zip (scanl (+) 0 (map advance row)) row
+    ]
+  where
+    entryMarks x y (Entry swatch text) =
+      swatch (Box x (y - 4.5) (x + swatchWidth) (y + 4.5))
+        <> [Mark Text.empty Caption (Label StartAnchor (Place (x + swatchWidth + swatchGap) (y - 0.36 * textSize Caption)) text)]
+
+advance :: Entry -> Double
+advance entry = swatchWidth + swatchGap + textWidth Caption (entryText entry) + entryGap
+
+-- | As many entries to a row as fit.
+rows :: Double -> [Entry] -> [[Entry]]
+rows _ [] = []
+rows width (entry : entries) = go (advance entry) [entry] entries
+  where
+    go _ row [] = [reverse row]
+    go x row (next : rest)
+      | x + advance next - entryGap <= width = go (x + advance next) (next : row) rest
+      | otherwise = reverse row : go (advance next) [next] rest
+
+-- | Texts joined by commas to lines that fit a width; the base line of the first line, and the rest below.
+captionLines :: Double -> Double -> Double -> [Text] -> [Mark]
+captionLines left base width parts =
+  [ Mark Text.empty Caption (Label StartAnchor (Place left (base - rowHeight * k)) line)
+  | (k, line) <- zip [0 ..] (filled parts)
+  ]
+  where
+    comma = Text.pack ", "
+    filled [] = []
+    filled (part : rest) = go part rest
+    go line [] = [line]
+    go line (part : rest)
+      | textWidth Caption longer <= width = go longer rest
+      | otherwise = Text.snoc line ',' : go part rest
+      where
+        longer = line <> comma <> part

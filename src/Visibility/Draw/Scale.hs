@@ -1,0 +1,81 @@
+-- | Round numbers and exact conversions for figures: scenes may be anywhere and of any size, so coordinates are taken relative
+-- to the scene before they become Doubles.
+module Visibility.Draw.Scale
+  ( -- * Round numbers
+    roundStep
+  , multiplesWithin
+  , decimalText
+  , roundedTo
+    -- * Conversions
+  , quotient
+  , directionAngle
+    -- * Counted things
+  , counted
+  ) where
+
+import Data.Bits (shiftR)
+import Data.Ratio (denominator, numerator, (%))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Visibility.Exact.Predicate (Direction (..))
+
+-- | The largest of 1, 2 and 5 times a power of ten that is at most the argument.
+--
+-- /Requires/ a positive number.
+--
+-- >>> map (decimalText . roundStep) [0.5, 0.49, 1999]
+-- ["0.5","0.2","1000"]
+roundStep :: Rational -> Rational
+roundStep x = maximum (power : [m * power | m <- [2, 5], m * power <= x])
+  where
+    power = until (\p -> p * 10 > x) (* 10) (until (<= x) (/ 10) 1)
+
+-- | The multiples of a positive step from a least to a greatest value, both included.
+multiplesWithin :: Rational -> Rational -> Rational -> [Rational]
+multiplesWithin step low high = [fromInteger k * step | k <- [ceiling (low / step) .. floor (high / step)]]
+
+-- | The multiple of a positive step next to a number.
+roundedTo :: Rational -> Rational -> Rational
+roundedTo step x = fromInteger (round (x / step)) * step
+
+-- | A finite decimal, exactly; with an exponent where it would be long. A number that is no finite decimal is given as a
+-- fraction.
+--
+-- >>> map decimalText [1/4, -20, 3 * 10^9, 1/3]
+-- ["0.25","−20","3e9","1/3"]
+decimalText :: Rational -> Text
+decimalText x
+  | x < 0 = Text.cons '−' (decimalText (negate x))
+  | x == 0 = Text.pack "0"
+  | not (isDecimal (denominator x)) = Text.pack (show (numerator x) <> "/" <> show (denominator x))
+  | e >= 0 && length figures + e <= 7 = Text.pack (figures <> replicate e '0')
+  | e < 0 && point > 0 = Text.pack (take point figures <> "." <> drop point figures)
+  | e < 0 && point > -4 = Text.pack ("0." <> replicate (negate point) '0' <> figures)
+  | otherwise = Text.pack (figures <> "e" <> (if e < 0 then "−" else "") <> show (abs e))
+  where
+    isDecimal d = until ((/= 0) . (`rem` 2)) (`quot` 2) (until ((/= 0) . (`rem` 5)) (`quot` 5) d) == 1
+    (m, e) = trim (until ((== 1) . denominator . fst) (\(v, k) -> (v * 10, k - 1)) (x, 0 :: Int))
+    trim (v, k) = until ((/= 0) . (`rem` 10) . fst) (\(n, j) -> (n `quot` 10, j + 1)) (numerator v, k)
+    figures = show m
+    point = length figures + e
+
+-- | The Double next to a quotient. /Requires/ a divisor other than 0.
+quotient :: Integer -> Integer -> Double
+quotient a b = fromRational (a % b)
+
+-- | The angle of a direction in radians.
+--
+-- /Degenerate cases/ components of any size; the angle of (0, 1) is π/2 and that of (0, −1) is −π/2, as near as a Double comes.
+directionAngle :: Direction -> Double
+directionAngle (Direction dx dy) = atan2 (small dy) (small dx)
+  where
+    small v = fromInteger (v `shiftR` excess)
+    excess = max 0 (bits (max (abs dx) (abs dy)) - 900)
+    bits v = length (takeWhile (> 0) (iterate (`shiftR` 64) v)) * 64
+
+-- | A number of things, in words that fit it.
+--
+-- >>> counted 1 "vertex" "vertices"
+-- "1 vertex"
+counted :: Int -> String -> String -> Text
+counted k one many = Text.pack (show k <> " " <> if k == 1 then one else many)

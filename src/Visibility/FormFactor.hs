@@ -1,0 +1,179 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Measures of faces by the telescoping string rule, and form factors, as exact sums of square roots.
+--
+-- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2
+-- (measure of a face as an area in the dual); Hottel (string rule).
+module Visibility.FormFactor
+  ( -- * Measures of lines
+    Measures
+  , measures
+  , measureBetween
+  , measureList
+    -- * Form factors
+  , FormFactor (..)
+  , formFactors
+  , sideLength
+    -- * Laws
+  , closureDefect
+  ) where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Ratio ((%))
+import qualified Data.Vector as V
+import Visibility.Law (broken)
+import Visibility.Exact.Point
+import Visibility.Exact.RootSum (RootSum)
+import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.View
+
+-- Note [Measures along the stream]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- An edge of corner c between the directions a and b adds ±(t_c(b) − t_c(a)) to each face at its curve, + where the face
+-- lies below the curve. Sorted by vertices instead of edges: at a vertex of direction d each corner c on the line adds
+-- ±t_c(d) for its faces before the vertex and takes it away for its faces after it.
+-- A face that meets the vertex has there, before and after together, as many upper as lower incidences, counted
+-- with these signs. So t may be measured from any point of the line, and the first corner is taken: then every t is an
+-- integer multiple of the length of the primitive lattice vector along the line, and the sums need integers only.
+-- The half turn begins and ends with the same lines, read the other way: t changes its sign, above and below change
+-- places, and both contributions cancel. So the cut at ±90° adds nothing.
+
+-- Under an open sky the lines that miss everything have no finite measure; that pair is left out.
+
+-- | The measure of the lines (du dθ) between each pair of objects that see each other, on the lattice: the total area of all
+-- faces of one label, A(s, t) = A(t, s). Not of the sky with itself.
+newtype Measures = Measures (IntMap.IntMap (Map.Map Integer Integer))
+
+-- | Adds up the contributions of a stream of events, which must be that of the whole half turn.
+--
+-- /Degenerate cases/ none: collinear corners, sides on a line and flat corners are summed like all else; no general
+-- position is needed.
+--
+-- /Cost/ O(log n) and one gcd per elementary pair; live memory O(n) besides the result.
+--
+-- /Laws/ every measure is positive; closure: see 'closureDefect'.
+measures :: Scene -> [Event] -> Measures
+measures scene = Measures . foldl' add IntMap.empty
+  where
+    add sums event = foldl' (addTerm radicand) sums (Map.toList contributions)
+      where
+        (radicand, positions) = alongLine scene (eventVertex event)
+        contributions = foldl' put Map.empty (zip3 (vertexCorners (eventVertex event)) positions views)
+        views = zip (viewsBefore event) (viewsAfter event)
+    skyToSky = pairKey scene Sky Sky
+    put !sums (c, position, (before, after))
+      | position == 0 || before == after = sums
+      | otherwise = foldl' (weigh (negate position)) (foldl' (weigh position) sums (incidences scene c before)) (incidences scene c after)
+    weigh position sums (Incidence flank back front) =
+      Map.insertWith (+) (pairKey scene back front) (case flank of Above -> negate position; Below -> position) sums
+    addTerm radicand sums (key, k)
+      | k == 0 || key == skyToSky = sums
+      | otherwise = IntMap.insertWith (\_ -> addRoot radicand k) key (Map.singleton radicand k) sums
+    addRoot radicand k = Map.alter (\old -> let new = maybe k (+ k) old in if new == 0 then Nothing else Just new) radicand
+
+-- | The square of the length of the primitive lattice vector along the line of a vertex, and each corner's distance from
+-- the first one in such lengths.
+alongLine :: Scene -> Vertex -> (Integer, [Integer])
+alongLine scene vertex = (px * px + py * py, map position displacements)
+  where
+    line = vertexCorners vertex
+    displacements = map (difference (cornerAt scene (firstOf vertex)) . cornerAt scene) line
+    Vector2 dx dy = difference (cornerAt scene (firstOf vertex)) (cornerAt scene (vertexLast vertex))
+    divisor = gcd dx dy
+    (px, py) = (dx `quot` divisor, dy `quot` divisor)
+    position (Vector2 x y) = if px == 0 then y `quot` py else x `quot` px
+    firstOf (Vertex a _ _) = a
+
+-- | One number for an unordered pair of objects.
+pairKey :: Scene -> Object -> Object -> Int
+pairKey scene a b = min x y * (n + 1) + max x y
+  where
+    n = cornerCount scene
+    x = code a
+    y = code b
+    code (Side (SideId s)) = s
+    code Sky = n
+
+-- | The objects of 'pairKey'.
+keyPair :: Scene -> Int -> (Object, Object)
+keyPair scene key = (object a, object b)
+  where
+    n = cornerCount scene
+    (a, b) = key `quotRem` (n + 1)
+    object k = if k == n then Sky else Side (SideId k)
+
+-- | The measure between two objects in the file's units, terms merged; zero where they do not see each other.
+measureBetween :: Scene -> Measures -> Object -> Object -> RootSum
+measureBetween scene (Measures sums) a b =
+  maybe RootSum.zero (toRootSum scene) (IntMap.lookup (pairKey scene a b) sums)
+
+-- | All pairs of objects with a measure that is not exactly zero, each pair once, in the file's units, terms merged.
+measureList :: Scene -> Measures -> [((Object, Object), RootSum)]
+measureList scene (Measures sums) =
+  [ (keyPair scene key, total)
+  | (key, roots) <- IntMap.toAscList sums
+  , let total = toRootSum scene roots
+  , not (null (RootSum.terms total))
+  ]
+
+toRootSum :: Scene -> Map.Map Integer Integer -> RootSum
+toRootSum scene roots =
+  case RootSum.fromTerms [(k % latticeScale (sceneLattice scene), n) | (n, k) <- Map.toAscList roots] of
+    Just total -> RootSum.merged total
+    Nothing -> broken "squares of lengths are positive" (show (Map.keys roots))
+
+-- | A form factor that is not exactly zero.
+data FormFactor = FormFactor
+  { factorFrom :: !SideId
+  , factorTo :: !Object
+  , factorMeasure :: !RootSum
+  -- ^ A(s, t), in the file's units: 2 L_s F_st.
+  , factorValue :: RootSum
+  -- ^ F_st: the part of the light leaving s, uniform and diffuse, that reaches t.
+  }
+
+-- | All form factors that are not exactly zero, ordered by the names of the side they leave and of the object they reach,
+-- the sky last.
+--
+-- /Laws/ Σ_t F_st = 1 (closure); L_s F_st = L_t F_ts (reciprocity); both exact.
+formFactors :: Scene -> Measures -> [FormFactor]
+formFactors scene sums =
+  [ FormFactor s t total (perLength s total)
+  | s <- sortOn (sideName scene) (sides scene)
+  , (t, total) <- sortOn (orderOf . fst) (bySide V.! indexOf s)
+  ]
+  where
+    bySide = V.accumulate (flip (:)) (V.replicate (cornerCount scene) []) (V.fromList (concatMap both (measureList scene sums)))
+    both ((a, b), total) = [(indexOf s, (b, total)) | Side s <- [a]] <> [(indexOf s, (a, total)) | Side s <- [b]]
+    indexOf (SideId s) = s
+    orderOf (Side t) = (0 :: Int, Just (sideName scene t))
+    orderOf Sky = (1, Nothing)
+    perLength s total =
+      case RootSum.terms (sideLength scene s) of
+        [(c, n)] | Just value <- RootSum.quotientByRoot total (2 * c) n -> value
+        _ -> broken "a side has a length" (sideText (sideName scene s))
+
+-- | The length of a side in the file's units, a single root.
+sideLength :: Scene -> SideId -> RootSum
+sideLength scene s = RootSum.hypotenuse (1 % latticeScale (sceneLattice scene)) dx dy
+  where
+    Vector2 dx dy = difference (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
+
+-- | What a side lacks to closure: Σ_t A(s, t) − 2 L_s for all sides, in the order of their ids. Each is exactly zero.
+closureDefect :: Scene -> Measures -> [(SideId, RootSum)]
+closureDefect scene sums =
+  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` RootSum.scaled 2 (sideLength scene s))
+  | s <- sides scene
+  ]
+  where
+    rows =
+      Map.fromListWith
+        RootSum.plus
+        [ (s, total)
+        | ((a, b), total) <- measureList scene sums
+        , Side s <- [a, b]
+        ]

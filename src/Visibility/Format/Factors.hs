@@ -1,0 +1,111 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Form factors as CSV, JSON and text.
+module Visibility.Format.Factors
+  ( FactorFormat (..)
+  , Detail (..)
+  , factorsDocument
+  ) where
+
+import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
+import qualified Data.Aeson.Encoding as Aeson
+import Data.ByteString.Builder (Builder, char7, string7)
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Visibility.Exact.RootSum (RootSum)
+import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Exact.Rounding
+import Visibility.FormFactor
+import Visibility.Scene
+
+-- | The formats that a form factor matrix is written in.
+data FactorFormat = FactorsCsv | FactorsJson | FactorsText
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | Whether exact measures are written beside the decimals.
+data Detail = DecimalsOnly | WithExactMeasures
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The document. Decimals are correctly rounded to so many significant digits; factors that are exactly zero are not there.
+--
+-- /Shape/ CSV: header @from,to,value@, with exact measures also @measure@, Σ coefficient·√radicand = 2·L·F as
+-- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.
+factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
+factorsDocument format detail wanted scene factors = case format of
+  FactorsCsv -> csv detail wanted scene factors
+  FactorsJson -> Aeson.fromEncoding (json detail wanted scene factors) <> char7 '\n'
+  FactorsText -> plain detail wanted scene factors
+
+fromText, toText :: Scene -> FormFactor -> String
+fromText scene = objectText scene . Side . factorFrom
+toText scene = objectText scene . factorTo
+
+valueText :: Digits -> FormFactor -> String
+valueText wanted = decimal wanted . factorValue
+
+csv :: Detail -> Digits -> Scene -> [FormFactor] -> Builder
+csv detail wanted scene factors = string7 header <> foldMap row factors
+  where
+    header = case detail of
+      DecimalsOnly -> "from,to,value\n"
+      WithExactMeasures -> "from,to,value,measure\n"
+    row factor =
+      string7 (fromText scene factor)
+        <> char7 ','
+        <> string7 (toText scene factor)
+        <> char7 ','
+        <> string7 (valueText wanted factor)
+        <> exact factor
+        <> char7 '\n'
+    exact factor = case detail of
+      DecimalsOnly -> mempty
+      WithExactMeasures -> char7 ',' <> string7 (rootSumText (factorMeasure factor))
+
+json :: Detail -> Digits -> Scene -> [FormFactor] -> Encoding
+json detail wanted scene factors =
+  pairs $
+    pair "format" (string "viscomplex/1")
+      <> pair "sides" (list side (sortOn (sideName scene) (sides scene)))
+      <> pair "factors" (list entry factors)
+  where
+    side s =
+      pairs $
+        pair "id" (string (sideText (sideName scene s)))
+          <> pair "length" (string (decimal wanted (sideLength scene s)))
+    entry factor =
+      pairs $
+        pair "from" (string (fromText scene factor))
+          <> pair "to" (string (toText scene factor))
+          <> pair "value" (string (valueText wanted factor))
+          <> exact factor
+    exact factor = case detail of
+      DecimalsOnly -> mempty
+      WithExactMeasures -> pair "measure" (list term (RootSum.terms (factorMeasure factor)))
+    term (c, n) = list string [rationalText c, show n]
+
+plain :: Detail -> Digits -> Scene -> [FormFactor] -> Builder
+plain detail wanted scene factors = foldMap block (sortOn (sideName scene) (sides scene))
+  where
+    bySide = Map.fromListWith (flip (<>)) [(factorFrom factor, [factor]) | factor <- factors]
+    block s =
+      string7 ("side " <> sideText (sideName scene s) <> ", length " <> decimal wanted (sideLength scene s) <> ", sees\n")
+        <> foldMap row (Map.findWithDefault [] s bySide)
+    row factor =
+      string7 "  " <> string7 (padded (toText scene factor)) <> string7 (valueText wanted factor) <> exact factor <> char7 '\n'
+    padded text = text <> replicate (max 1 (10 - length text)) ' '
+    exact factor = case detail of
+      DecimalsOnly -> mempty
+      WithExactMeasures -> string7 "  = (" <> string7 (rootSumText (factorMeasure factor)) <> string7 ") / (2 L)"
+
+-- | A sum of roots for people: @1\/2*sqrt(13) - 3@.
+rootSumText :: RootSum -> String
+rootSumText total = case RootSum.terms total of
+  [] -> "0"
+  first : rest -> leading first <> concatMap following rest
+  where
+    leading (c, n) = (if c < 0 then "-" else "") <> magnitude (abs c) n
+    following (c, n) = (if c < 0 then " - " else " + ") <> magnitude (abs c) n
+    magnitude c 1 = rationalText c
+    magnitude 1 n = root n
+    magnitude c n = rationalText c <> "*" <> root n
+    root n = "sqrt(" <> show n <> ")"

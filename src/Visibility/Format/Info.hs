@@ -1,0 +1,46 @@
+-- | The sizes of a scene and of its complex, for people.
+module Visibility.Format.Info
+  ( infoText
+  ) where
+
+import Data.Bits (shiftR)
+import qualified Data.Text as Text
+import Numeric (showFFloat)
+import Visibility.Count
+import Visibility.Exact.Point
+import Visibility.Scene
+
+-- | A line for each size. The last argument is the seconds of processor time that the sweep took.
+infoText :: Scene -> Counts -> Double -> String
+infoText scene counts seconds =
+  unlines
+    [ padded name <> value
+    | (name, value) <-
+        [("scene", Text.unpack title) | Just title <- [sceneTitle scene]]
+          <> [ ("polygons", show (length (scenePolygons scene)))
+             , ("corners", show (cornerCount scene))
+             , ("vertices", show (vertexCount counts))
+             , ("degenerate vertices", show (degenerateCount counts))
+             , ("bitangents", show (bitangentCount counts))
+             , ("elementary visible pairs", show (pairCount counts))
+             , ("edges", show (edgeCount counts))
+             , ("faces", show (faceCount counts))
+             , ("scheduler", "topological")
+             , ("arithmetic", arithmeticText scene)
+             , ("time", showFFloat (Just 3) seconds " s")
+             ]
+    ]
+  where
+    padded name = name <> replicate (26 - length name) ' '
+
+-- | The arithmetic, and what it comes to for this scene.
+arithmeticText :: Scene -> String
+arithmeticText scene = case sceneArithmetic scene of
+  Exact -> "exact: integers of any size"
+  UnsafeDouble -> "double: unsafe, results may be wrong"
+  Filtered -> case pointsKernel (scenePoints scene) of
+    MachineKernel _ -> "filtered: the lattice fits machine integers" <> lattice
+    _ -> "filtered: floating-point filter, integers behind it" <> lattice
+  where
+    lattice = " (" <> show (bits (latticeScale (sceneLattice scene))) <> "-bit common denominator)"
+    bits n = length (takeWhile (> 0) (iterate (`shiftR` 1) n))

@@ -1,0 +1,145 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | A static tree of boxes: which of them overlap, and which have a property.
+module Visibility.Scene.Boxes
+  ( -- * Boxes
+    Box (..)
+  , boxesOverlap
+  , boxContains
+  , enclosingBox
+    -- * The tree
+  , BoxTree
+  , boxTree
+    -- * Queries
+  , foldOverlaps
+  , foldBoxes
+  ) where
+
+import Control.Monad.ST (ST, runST)
+import Data.Ord (comparing)
+import qualified Data.Vector.Algorithms.Intro as Intro
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+
+-- | A closed axis-parallel box: from left to right, from bottom to top. It may be a segment or a point.
+data Box = Box {boxLeft :: !Int, boxRight :: !Int, boxBottom :: !Int, boxTop :: !Int}
+  deriving (Eq, Show)
+
+-- | Do two closed boxes share a point?
+boxesOverlap :: Box -> Box -> Bool
+boxesOverlap (Box l r b t) (Box l' r' b' t') = l <= r' && l' <= r && b <= t' && b' <= t
+{-# INLINE boxesOverlap #-}
+
+-- | Is every point of the second box one of the first?
+boxContains :: Box -> Box -> Bool
+boxContains (Box l r b t) (Box l' r' b' t') = l <= l' && r' <= r && b <= b' && t' <= t
+{-# INLINE boxContains #-}
+
+-- | The smallest box around others; around none, a box that overlaps nothing.
+enclosingBox :: [Box] -> Box
+enclosingBox = foldr join nowhere
+
+nowhere :: Box
+nowhere = Box maxBound minBound maxBound minBound
+
+join :: Box -> Box -> Box
+join (Box l r b t) (Box l' r' b' t') = Box (min l l') (max r r') (min b b') (max t t')
+
+-- | Boxes by index, in a tree of groups that are near to each other.
+--
+-- The indices are in such an order that each group is a slice; then come the boxes in that order.
+data BoxTree = BoxTree !(U.Vector Int) !(U.Vector (Int, Int, Int, Int)) !Group
+
+-- | A slice, from the first place to just before the last, or two groups; with the box around it all.
+data Group = Slice !Box !Int !Int | Halves !Box !Group !Group
+
+groupBox :: Group -> Box
+groupBox (Slice box _ _) = box
+groupBox (Halves box _ _) = box
+
+-- | Groups are halved at the median centre, across the direction in which the centres extend farther.
+--
+-- /Cost/ O(n log n).
+boxTree :: [Box] -> BoxTree
+boxTree boxes = runST $ do
+  order <- U.thaw (U.enumFromN 0 (U.length table))
+  root <- grow table order 0 (U.length table)
+  final <- U.unsafeFreeze order
+  pure (BoxTree final (U.backpermute table final) root)
+  where
+    table = U.fromList [(l, r, b, t) | Box l r b t <- boxes]
+
+grow :: U.Vector (Int, Int, Int, Int) -> M.MVector s Int -> Int -> Int -> ST s Group
+grow table order from to = do
+  members <- U.freeze (M.slice from (to - from) order)
+  let around = U.foldl' (\box i -> join box (at table i)) nowhere members
+      spread centre =
+        let (low, high) = U.foldl' (\(!a, !b) i -> let !c = centre i in (min a c, max b c)) (maxBound, minBound) members
+         in high - low
+      middle = (from + to) `div` 2
+      split centre = Intro.selectByBounds (comparing (\i -> (centre i, i))) order (middle - from) from to
+  if to - from <= sliceSize
+    then pure (Slice around from to)
+    else do
+      if spread acrossX >= spread acrossY then split acrossX else split acrossY
+      Halves around <$> grow table order from middle <*> grow table order middle to
+  where
+    acrossX i = let Box l r _ _ = at table i in l + r
+    acrossY i = let Box _ _ b t = at table i in b + t
+
+-- Groups of up to so many boxes are not halved.
+sliceSize :: Int
+sliceSize = 8
+
+at :: U.Vector (Int, Int, Int, Int) -> Int -> Box
+at table i = let (l, r, b, t) = table U.! i in Box l r b t
+{-# INLINE at #-}
+
+-- | Combines all pairs of different boxes that overlap, each pair once, in no promised order.
+--
+-- /Cost/ O(n log n + k) for k pairs when few boxes overlap others far away in the tree; O(n²) at worst.
+foldOverlaps :: (a -> Int -> Int -> a) -> a -> BoxTree -> a
+foldOverlaps combine start (BoxTree order table root) = within start root
+  where
+    within !acc (Halves _ a b) = across (within (within acc a) b) a b
+    within !acc (Slice _ from to) = pairs acc from
+      where
+        pairs !acc' i
+          | i >= to = acc'
+          | otherwise = pairs (against (at table i) (order U.! i) acc' (i + 1) to) (i + 1)
+    across !acc a b
+      | not (boxesOverlap (groupBox a) (groupBox b)) = acc
+      | otherwise = case (a, b) of
+          (Slice _ from to, Slice box' from' to') -> slices acc from to box' from' to'
+          (Halves _ a1 a2, Slice _ _ _) -> across (across acc a1 b) a2 b
+          (Slice _ _ _, Halves _ b1 b2) -> across (across acc a b1) a b2
+          (Halves _ a1 a2, Halves _ b1 b2) ->
+            across (across (across (across acc a1 b1) a1 b2) a2 b1) a2 b2
+    slices !acc i to box' from' to'
+      | i >= to = acc
+      | boxesOverlap (at table i) box' = slices (against (at table i) (order U.! i) acc from' to') (i + 1) to box' from' to'
+      | otherwise = slices acc (i + 1) to box' from' to'
+    against box i !acc j to
+      | j >= to = acc
+      | boxesOverlap box (at table j) = against box i (combine acc i (order U.! j)) (j + 1) to
+      | otherwise = against box i acc (j + 1) to
+{-# INLINE foldOverlaps #-}
+
+-- | Combines all boxes with a property, in no promised order.
+--
+-- /Requires/ a property that a larger box has if a smaller one in it has it, such as holding a given box.
+--
+-- /Cost/ O(log n + k) for k boxes in a good case, O(n) at worst.
+foldBoxes :: (Box -> Bool) -> (a -> Int -> a) -> a -> BoxTree -> a
+foldBoxes has combine start (BoxTree order table root) = go start root
+  where
+    go !acc group
+      | not (has (groupBox group)) = acc
+      | otherwise = case group of
+          Halves _ a b -> go (go acc a) b
+          Slice _ from to -> members acc from to
+    members !acc i to
+      | i >= to = acc
+      | has (at table i) = members (combine acc (order U.! i)) (i + 1) to
+      | otherwise = members acc (i + 1) to
+{-# INLINE foldBoxes #-}

@@ -1,0 +1,121 @@
+-- | How two segments between corners meet, decided exactly.
+module Visibility.Scene.Contact
+  ( -- * Corners with their ranks
+    Ranked (..)
+  , ranked
+  , samePlace
+    -- * Segments
+  , Segment (..)
+  , segmentBox
+  , Meeting (..)
+  , Touch (..)
+  , meeting
+    -- * Rays
+  , isBelow
+  ) where
+
+import qualified Data.Vector as V
+import qualified Data.Vector.Algorithms.Intro as Intro
+import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate
+import Visibility.Scene.Boxes (Box (..))
+
+-- | Corners by index, with the ranks of their coordinates: a comparison of ranks is a comparison of coordinates.
+data Ranked = Ranked
+  { rankedPoints :: !Points
+  , column :: !(U.Vector Int)
+  , row :: !(U.Vector Int)
+  }
+
+-- | /Requires/ coordinates of a lattice. /Cost/ O(n log n).
+ranked :: [Vector2] -> Ranked
+ranked places =
+  Ranked (pointsOn Filtered places) (ranks [x | Vector2 x _ <- places]) (ranks [y | Vector2 _ y <- places])
+
+-- Equal numbers have equal ranks.
+ranks :: [Integer] -> U.Vector Int
+ranks numbers = U.replicate (V.length table) 0 U.// zip (V.toList sorted) (V.toList dense)
+  where
+    table = V.fromList numbers
+    sorted = V.modify (Intro.sortBy (\i j -> compare (table V.! i) (table V.! j))) (V.enumFromN 0 (V.length table))
+    steps = V.zipWith (\i j -> if table V.! i == table V.! j then 0 else 1) sorted (V.drop 1 sorted)
+    dense = V.take (V.length table) (V.scanl' (+) (0 :: Int) steps)
+
+-- | Are two corners in one place?
+samePlace :: Ranked -> Int -> Int -> Bool
+samePlace r a b = column r U.! a == column r U.! b && row r U.! a == row r U.! b
+{-# INLINE samePlace #-}
+
+-- | A closed segment between two corners, which may be in one place.
+data Segment = Segment !Int !Int
+  deriving (Eq, Show)
+
+-- | The box around a segment, in ranks.
+segmentBox :: Ranked -> Segment -> Box
+segmentBox r (Segment a b) = Box (min x x') (max x x') (min y y') (max y y')
+  where
+    x = column r U.! a
+    x' = column r U.! b
+    y = row r U.! a
+    y' = row r U.! b
+
+-- | How two segments meet.
+data Meeting
+  = Apart
+  | -- | In one point, which is an end of neither, and not along each other.
+    Crossing
+  | -- | With an end of one in the other; where they overlap, every end that lies in the other.
+    Touching ![Touch]
+  deriving (Eq, Show)
+
+-- | An end of one segment in the other.
+data Touch
+  = -- | Ends of the first and of the second in one place.
+    Ends !Int !Int
+  | -- | An end of the first between the ends of the second.
+    FirstOnSecond !Int
+  | -- | An end of the second between the ends of the first.
+    SecondOnFirst !Int
+  deriving (Eq, Ord, Show)
+
+-- | How two segments meet.
+--
+-- /Degenerate cases/ segments on one line, segments of no length.
+--
+-- /Laws/ swapping the two, or the ends of one, changes nothing but names.
+meeting :: Ranked -> Segment -> Segment -> Meeting
+meeting r (Segment a b) (Segment c d)
+  | cSide == dSide && cSide /= Collinear = Apart
+  | aSide == bSide && aSide /= Collinear = Apart
+  | all (/= Collinear) [aSide, bSide, cSide, dSide] = Crossing
+  | null touches = Apart
+  | otherwise = Touching touches
+  where
+    points = rankedPoints r
+    cSide = turn points a b c
+    dSide = turn points a b d
+    aSide = turn points c d a
+    bSide = turn points c d b
+    touches =
+      [Ends i j | i <- [a, b], j <- [c, d], samePlace r i j]
+        <> [FirstOnSecond i | (i, Collinear) <- [(a, aSide), (b, bSide)], isBetween r c d i]
+        <> [SecondOnFirst j | (j, Collinear) <- [(c, cSide), (d, dSide)], isBetween r a b j]
+
+-- Of three corners on a line: does the third lie between the other two, and at neither?
+isBetween :: Ranked -> Int -> Int -> Int -> Bool
+isBetween r a b c = min (place a) (place b) < place c && place c < max (place a) (place b)
+  where
+    place i = (column r U.! i, row r U.! i)
+
+-- | Does the vertical ray upwards from a corner hit a segment? A segment holds its left end, not its right end.
+--
+-- /Requires/ that the corner is not on the segment.
+isBelow :: Ranked -> Int -> Segment -> Bool
+isBelow r c (Segment a b)
+  | leftOf a == leftOf b = False
+  | leftOf a = turn points a b c == RightTurn
+  | otherwise = turn points b a c == RightTurn
+  where
+    points = rankedPoints r
+    leftOf i = column r U.! i <= column r U.! c
