@@ -227,7 +227,7 @@ syntaxText fault = case fault of
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
   UnpairedSurrogate -> "half of a surrogate pair; give both halves, or the character itself"
   InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
-  TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than six"
+  TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than five"
 
 characterText :: Char -> String
 characterText c
@@ -271,7 +271,7 @@ shapeText fault = case fault of
   WrongKind found wanted -> "found " <> foundText found <> "; give " <> wantedText wanted
   MissingKey key wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
   UnknownKey key allowed -> "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
-  DuplicateKey key -> "key " <> quoted key <> " is given twice; give it once"
+  DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
   BadNumber found why -> foundText found <> case why of
     NotANumber -> " is not a number; give " <> wantedText WantedNumber

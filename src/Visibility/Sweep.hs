@@ -23,6 +23,7 @@ module Visibility.Sweep
   , start
   , step
   , trace
+  , finish
   , stepsTaken
   , pairsSwept
     -- * The oracle

@@ -8,6 +8,7 @@ module Visibility.Draw.Drawing
   , Layer (..)
   , Density (..)
   , densityOf
+  , byDensity
   , Mark (..)
   , Shape (..)
   , Anchor (..)
@@ -25,6 +26,8 @@ module Visibility.Draw.Drawing
   , segmentMeetsBox
   , strokes
   , dotRadius
+  , strokeWidth
+  , widened
     -- * Checks
   , Flaw (..)
   , labelCollisions
@@ -59,15 +62,16 @@ data Layer = Layer
   deriving (Eq, Show)
 
 -- | How crowded a layer is: strokes and dots become thinner, none is left out.
-data Density = Sparse | Dense | Crowded
+data Density = Sparse | Dense | Crowded | Packed
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | The density of a layer of so many marks: at most 600 are sparse, at most 6000 dense.
+-- | The density of a layer of so many marks: up to 600 are sparse, up to 12000 dense, up to 50000 crowded.
 densityOf :: Int -> Density
 densityOf k
   | k <= 600 = Sparse
-  | k <= 6000 = Dense
-  | otherwise = Crowded
+  | k <= 12000 = Dense
+  | k <= 50000 = Crowded
+  | otherwise = Packed
 
 -- | One shape. Its name is that of the thing drawn: @3@ for a polygon, @0.1@ for a corner, @0.1 2.3@ for a line through
 -- two; empty for what belongs to the figure itself.
@@ -98,7 +102,7 @@ data Style
     Outside
   | -- | The free inside of a room.
     RoomFloor
-  | Obstacle
+  | Opaque
   | -- | The outline of a room.
     RoomWall
   | ThinWall
@@ -200,15 +204,43 @@ strokes (Mark _ _ shape) = case shape of
   Polyline places -> zip places (drop 1 places)
   _ -> []
 
+-- | One of four values for the four densities.
+byDensity :: Density -> a -> a -> a -> a -> a
+byDensity density sparse dense crowded packed = case density of
+  Sparse -> sparse
+  Dense -> dense
+  Crowded -> crowded
+  Packed -> packed
+
 -- | The radius of a dot, in pixels.
 dotRadius :: Density -> Style -> Double
-dotRadius density style = case (style, density) of
-  (DegenerateVertexDot, Sparse) -> 3.6
-  (DegenerateVertexDot, Dense) -> 2.2
-  (DegenerateVertexDot, Crowded) -> 1.2
-  (_, Sparse) -> 2.2
-  (_, Dense) -> 1.2
-  (_, Crowded) -> 0.6
+dotRadius density DegenerateVertexDot = byDensity density 3.6 2.2 1.2 0.8
+dotRadius density _ = byDensity density 2.2 1.2 0.6 0.25
+
+-- | The width of a style's lines and outlines, in pixels; 0 where it has none.
+strokeWidth :: Density -> Style -> Double
+strokeWidth density style = case style of
+  Opaque -> by 1.2 0.9 0.4 0.2
+  RoomWall -> by 2 1.6 1.2 1
+  ThinWall -> by 2.6 2 1.2 0.8
+  Bitangent -> by 0.7 0.35 0.12 0.03
+  LightRim -> by 5.4 4.2 3 1.6
+  LightSource -> by 3 2.4 1.6 0.8
+  LightRay -> by 0.9 0.7 0.4 0.2
+  TangentCurve -> by 1.3 0.5 0.18 0.06
+  EndingCurve -> by 1.1 0.45 0.15 0.05
+  DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
+  Axis -> 1
+  Reference -> 0.8
+  Tick -> 0.8
+  Leader -> 0.7
+  _ -> 0
+  where
+    by = byDensity density
+
+-- | A box with so much more on each side.
+widened :: Double -> Box -> Box
+widened d (Box l b r t) = Box (l - d) (b - d) (r + d) (t + d)
 
 -- | What is wrong with a label, by the names of the marks.
 data Flaw
@@ -228,12 +260,13 @@ labelCollisions drawing =
        , mark <- layerMarks layer
        , segments@(_ : _) <- [strokes mark]
        , (a, box) <- texts
-       , any (segmentMeetsBox box) segments
+       , let around = strokeWidth (layerDensity layer) (markStyle mark) / 2
+       , any (segmentMeetsBox (widened around box)) segments
        ]
     <> [ LabelOnDot a name
        | layer <- drawingLayers drawing
        , Mark name style (Dot (Place x y)) <- layerMarks layer
-       , let r = dotRadius (layerDensity layer) style
+       , let r = dotRadius (layerDensity layer) style + strokeWidth (layerDensity layer) style / 2
        , (a, box) <- texts
        , boxesMeet box (Box (x - r) (y - r) (x + r) (y + r))
        ]

@@ -6,6 +6,7 @@
 module Visibility.Draw.Labels
   ( -- * What is in the way
     Obstruction (..)
+  , Line (..)
     -- * Labels
   , Request (..)
   , Seat (..)
@@ -22,12 +23,17 @@ import Visibility.Draw.Drawing
 -- | What labels have to avoid.
 data Obstruction = Obstruction
   { canvas :: !Box
-  , lightLines :: ![(Place, Place)]
+  , lightLines :: ![Line]
   -- ^ Leaders may cross them.
-  , walls :: ![(Place, Place)]
+  , walls :: ![Line]
   -- ^ Nothing may cross them.
   , taken :: ![Box]
+  , clearance :: !Double
+  -- ^ How far labels stay from all that, in pixels.
   }
+
+-- | A segment and half the width of its stroke.
+data Line = Line !Double !(Place, Place)
 
 -- | A label to be placed.
 data Request = Request
@@ -47,15 +53,15 @@ data Seat = Seat !Place !Double
 placeLabels :: Obstruction -> [Request] -> ([Mark], [Mark], [Request])
 placeLabels start requests = go start ordered
   where
-    ordered = map snd (sortOn (Down . fst) [(maybe maxBound fst (choose (within start request) request), request) | request <- requests])
+    ordered = map snd (sortOn (Down . fst) [(maybe maxBound fst (choose start request), request) | request <- requests])
     go _ [] = ([], [], [])
-    go scenery (request : rest) = case choose (within scenery request) request of
+    go scenery (request : rest) = case choose scenery request of
       Nothing -> let (labels, leaders, failed) = go scenery rest in (labels, leaders, request : failed)
       Just (_, Candidate label box leader) ->
         let scenery' =
               scenery
                 { taken = box : taken scenery
-                , lightLines = maybe id (:) leader (lightLines scenery)
+                , lightLines = maybe id ((:) . Line 0.4) leader (lightLines scenery)
                 }
             (labels, leaders, failed) = go scenery' rest
          in (label : labels, leaderMark request leader <> leaders, failed)
@@ -69,39 +75,37 @@ data Candidate = Candidate !Mark !Box !(Maybe (Place, Place))
 rings :: [Double]
 rings = [0, 3, 6, 10, 15, 21, 28, 36, 46, 58, 72, 90, 110]
 
--- | The obstructions that a label of this request can meet.
-within :: Obstruction -> Request -> Obstruction
-within scenery request =
+-- | The obstructions that a label can meet that is at most so far from a place.
+within :: Double -> Request -> Place -> Obstruction -> Obstruction
+within r request (Place x y) scenery =
   scenery
-    { lightLines = filter (segmentMeetsBox reach) (lightLines scenery)
-    , walls = filter (segmentMeetsBox reach) (walls scenery)
+    { lightLines = filter (meets reach) (lightLines scenery)
+    , walls = filter (meets reach) (walls scenery)
     , taken = filter (boxesMeet reach) (taken scenery)
     }
   where
-    places = [place | Seat place _ <- requestSeats request]
-    far = maximum rings + textWidth (requestStyle request) (requestText request) + 20
-    reach =
-      Box
-        (minimum [x | Place x _ <- places] - far)
-        (minimum [y | Place _ y <- places] - far)
-        (maximum [x | Place x _ <- places] + far)
-        (maximum [y | Place _ y <- places] + far)
+    size = textSize (requestStyle request)
+    (across, up) = (r + textWidth (requestStyle request) (requestText request) + 20, r + size + 20)
+    reach = Box (x - across) (y - up) (x + across) (y + up)
 
 -- | The best position on the innermost ring that has one, with the number of the ring.
 choose :: Obstruction -> Request -> Maybe (Int, Candidate)
 choose _ (Request _ _ _ []) = Nothing
-choose scenery request = case find (not . null . snd) (zip [0 ..] (map onRing rings)) of
+choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap ringsTogether [near, far])) of
   Nothing -> Nothing
   Just (k, candidates) -> Just (k, snd (minimumBy (comparing fst) candidates))
   where
-    onRing r =
+    (near, far) = span (<= 10) rings
+    -- What is around a seat is looked up once for several rings.
+    ringsTogether radii = map (onRing [(seat, within (maximum radii) request place scenery) | seat@(Seat place _) <- requestSeats request]) radii
+    onRing seats r =
       [ (cost, candidate)
-      | Seat place preferred <- requestSeats request
+      | (Seat place preferred, around) <- seats
       , k <- [0 .. 31 :: Int]
       , let angle = preferred + fromIntegral (if even k then k else negate (k + 1)) * pi / 32
-      , Just (cost, candidate) <- [tried place preferred r angle]
+      , Just (cost, candidate) <- [tried around place preferred r angle]
       ]
-    tried at@(Place x y) preferred r angle
+    tried around at@(Place x y) preferred r angle
       | blocked = Nothing
       | otherwise = Just (cost, Candidate (Mark (requestName request) style (Label MiddleAnchor base text)) box leader)
       where
@@ -117,20 +121,28 @@ choose scenery request = case find (not . null . snd) (zip [0 ..] (map onRing ri
         base = Place mx (my - (b0 + t0) / 2)
         box = Box (mx - w / 2) (my - h / 2) (mx + w / 2) (my + h / 2)
         Box bl bb br bt = box
-        roomy = Box (bl - 1.5) (bb - 1.5) (br + 1.5) (bt + 1.5)
+        roomy = widened (clearance around) box
         end = Place (max (bl - 1) (min (br + 1) x)) (max (bb - 1) (min (bt + 1) y))
         leader = if r >= 6 then Just (at, end) else Nothing
-        crossed = length (filter (crosses (at, end)) (lightLines scenery))
+        -- A leader that runs along a line is not seen.
+        halfway = let Place ex ey = end in widened 2.5 (Box ((x + ex) / 2) ((y + ey) / 2) ((x + ex) / 2) ((y + ey) / 2))
+        leaderHidden = any (meets halfway) (walls around)
+        crossed = length [() | Line _ segment <- lightLines around, crosses (at, end) segment]
         blocked =
-          not (inside (canvas scenery) roomy)
-            || any (segmentMeetsBox roomy) (walls scenery)
-            || any (segmentMeetsBox roomy) (lightLines scenery)
-            || any (boxesMeet roomy) (taken scenery)
-            || any (crosses (at, middle)) (walls scenery)
-            || (r >= 6 && any (`segmentMeetsBox` (at, end)) (filter (not . holds at) (taken scenery)))
+          not (inside (canvas around) roomy)
+            || any (meets roomy) (walls around)
+            || any (meets roomy) (lightLines around)
+            || any (boxesMeet roomy) (taken around)
+            || or [crosses (at, middle) segment | Line _ segment <- walls around]
+            || (r >= 6 && (leaderHidden || any (`segmentMeetsBox` (at, end)) (filter (not . holds at) (map (widened 0.8) (taken around)))))
         turned = abs (angle - preferred)
-        cost = turned * 4 + 3 * fromIntegral crossed :: Double
+        -- Next to other things it is less clear what a label belongs to.
+        neighbours = length (filter (meets (widened 7 box)) (lightLines around)) + length (filter (boxesMeet (widened 7 box)) (taken around))
+        cost = turned * 4 + fromIntegral (3 * crossed + neighbours + (if r >= 6 then 3 * length (filter (meets halfway) (lightLines around)) else 0)) :: Double
     holds (Place x y) (Box l b r t) = l <= x && x <= r && b <= y && y <= t
+
+meets :: Box -> Line -> Bool
+meets box (Line around segment) = segmentMeetsBox (widened around box) segment
 
 inside :: Box -> Box -> Bool
 inside (Box l b r t) (Box l' b' r' t') = l <= l' && b <= b' && r' <= r && t' <= t
@@ -142,9 +154,9 @@ crosses (p, q) (a, b) = apart p q a b && apart a b p q
     apart u v s t = side u v s * side u v t < 0
     side (Place ux uy) (Place vx vy) (Place sx sy) = (vx - ux) * (sy - uy) - (vy - uy) * (sx - ux)
 
--- | The first of some texts that fits inside a polygon and on none of the boxes that are taken, next to the polygon's middle.
-labelInside :: [Box] -> Text -> Style -> [Text] -> [Place] -> Maybe Mark
-labelInside others name style texts outline = case [mark | text <- texts, Just mark <- [fitted text]] of
+-- | The first of some texts that fits inside a polygon and on none of some lines, next to the polygon's middle.
+labelInside :: [Line] -> Text -> Style -> [Text] -> [Place] -> Maybe Mark
+labelInside inTheWay name style texts outline = case [mark | text <- texts, Just mark <- [fitted text]] of
   mark : _ -> Just mark
   [] -> Nothing
   where
@@ -163,11 +175,11 @@ labelInside others name style texts outline = case [mark | text <- texts, Just m
       let Box _ b _ t = textBoxAt style MiddleAnchor (Place 0 0) text
           base = Place x (y - (b + t) / 2)
           Box l' b' r' t' = textBoxAt style MiddleAnchor base text
-       in (Label MiddleAnchor base text, Box (l' - 2) (b' - 2) (r' + 2) (t' + 2))
+       in (Label MiddleAnchor base text, Box (l' - 3) (b' - 3) (r' + 3) (t' + 3))
     fits (_, box@(Box l b r t)) =
       odd (length (filter (crossesRay ((l + r) / 2) ((b + t) / 2)) edges))
         && not (any (segmentMeetsBox box) edges)
-        && not (any (boxesMeet box) others)
+        && not (any (meets box) inTheWay)
     -- The ray to the right.
     crossesRay x y (Place ax ay, Place bx by) =
       (ay > y) /= (by > y) && x < ax + (y - ay) * (bx - ax) / (by - ay)

@@ -7,6 +7,7 @@ module Visibility.Draw.Legend
   , legendHeight
   , legend
   , captionLines
+  , shortened
   , rowHeight
   ) where
 
@@ -89,3 +90,9 @@ captionLines left base width parts =
       | otherwise = Text.snoc line ',' : go part rest
       where
         longer = line <> comma <> part
+
+-- | A text cut so that it fits a width.
+shortened :: Style -> Double -> Text -> Text
+shortened style width text
+  | textWidth style text <= width = text
+  | otherwise = until ((<= width) . textWidth style) (\t -> Text.snoc (Text.dropEnd 2 t) '…') text

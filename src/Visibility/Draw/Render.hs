@@ -17,7 +17,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8Builder)
 import Diagrams.Backend.SVG
-import Diagrams.Prelude hiding (Dense, Style, height, width)
+import Diagrams.Prelude hiding (Style, element, height, place, solid, stroke, text, thin, width)
 import Graphics.Svg (Element, renderBS, style_, toElement)
 import Visibility.Draw.Drawing
 
@@ -80,15 +80,17 @@ piece :: Density -> [Mark] -> Diagram SVG
 piece _ [] = mempty
 piece density marks@(Mark _ style shape : _) = case shape of
   Label anchor place text -> words' style anchor place text
-  Dot _ -> strokePath (foldMap dotPath [place | Mark _ _ (Dot place) <- marks]) # painted (look density style)
-  Polyline _ -> strokePath (foldMap polyline [places | Mark _ _ (Polyline places) <- marks]) # painted (look density style)
-  Region _ -> strokePath (foldMap region [places | Mark _ _ (Region places) <- marks]) # painted (look density style)
+  Dot _ -> strokePath (foldMap dotPath [place | Mark _ _ (Dot place) <- marks]) # painted density style
+  Polyline _ -> strokePath (foldMap polyline [places | Mark _ _ (Polyline places) <- marks]) # painted density style
+  Region _ -> strokePath (foldMap region [places | Mark _ _ (Region places) <- marks]) # painted density style
   where
+    polyline, region :: [Place] -> Path V2 Double
     polyline = pathFromLocTrail . fromVertices . map point
-    region places = pathFromLocTrail (mapLoc closeTrail (fromVertices (map point (places <> take 1 places))))
+    region = pathFromLocTrail . mapLoc closeTrail . fromVertices . map point
     -- Where there are thousands of dots, squares are as good and a quarter of the size.
+    dotPath :: Place -> Path V2 Double
     dotPath place
-      | density == Crowded = square (2 * r) # moveTo (point place)
+      | density >= Crowded = square (2 * r) # moveTo (point place)
       | otherwise = circle r # moveTo (point place)
       where
         r = dotRadius density style
@@ -112,43 +114,42 @@ words' style anchor place text =
 point :: Place -> P2 Double
 point (Place x y) = p2 (x, y)
 
--- | Fill, colour of the stroke, its width in pixels and its dashes.
-data Look = Look !(Maybe String) !(Maybe String) !Double ![Double]
+-- | Fill, colour of the stroke and its dashes in pixels.
+data Look = Look !(Maybe String) !(Maybe String) ![Double]
 
-painted :: Look -> Diagram SVG -> Diagram SVG
-painted (Look fill stroke width dashes) =
+painted :: Density -> Style -> Diagram SVG -> Diagram SVG
+painted density style =
   maybe (fcA transparent) (fc . sRGB24read) fill
-    . maybe (lw none) (\colour -> lc (sRGB24read colour) . lwO width) stroke
+    . maybe (lw none) (\colour -> lc (sRGB24read colour) . lwO (strokeWidth density style)) stroke
     . (if null dashes then id else dashingO dashes 0)
     . lineJoin LineJoinRound
+  where
+    Look fill stroke dashes = look density style
 
 -- | How a style looks in a layer of some density.
 look :: Density -> Style -> Look
 look density style = case style of
-  Outside -> Look (Just solid) Nothing 0 []
-  RoomFloor -> Look (Just "#ffffff") Nothing 0 []
-  Obstacle -> Look (Just solid) (Just dark) (thin 1.2 0.9 0.4) []
-  RoomWall -> Look Nothing (Just dark) (thin 2 1.6 1.2) []
-  ThinWall -> Look Nothing (Just dark) (thin 2.6 2 1.2) []
-  Bitangent -> stroke (by "#3a78b5" "#5a91c6" "#8fb3d6") (thin 0.7 0.35 0.12) []
-  LightRim -> stroke dark (thin 5.4 4.2 3) []
-  LightSource -> stroke "#ffd92e" (thin 3 2.4 1.6) []
-  LightRay -> stroke dark (thin 0.9 0.7 0.4) []
-  TangentCurve -> stroke (by "#16365c" "#16365c" "#33557f") (thin 1.3 0.6 0.2) []
-  EndingCurve -> stroke (by "#d08a3e" "#d08a3e" "#dba368") (thin 1.1 0.5 0.16) (by [4, 2.5] [3, 2] [2, 1.5])
-  VertexDot -> Look (Just dark) Nothing 0 []
-  DegenerateVertexDot -> Look (Just "#ffffff") (Just "#b3122a") (thin 1.4 0.9 0.4) []
-  Axis -> stroke dark 1 []
-  Reference -> stroke "#b5b5b5" 0.8 []
-  Tick -> stroke dark 0.8 []
-  Leader -> stroke "#666666" 0.6 []
-  _ -> Look Nothing Nothing 0 []
+  Outside -> Look (Just solid) Nothing []
+  RoomFloor -> Look (Just "#ffffff") Nothing []
+  Opaque -> Look (Just solid) (Just dark) []
+  RoomWall -> line dark
+  ThinWall -> line dark
+  Bitangent -> line (by "#3a78b5" "#5a91c6" "#8fb3d6")
+  LightRim -> line dark
+  LightSource -> line "#ffd92e"
+  LightRay -> line dark
+  TangentCurve -> line (by "#16365c" "#16365c" "#33557f")
+  EndingCurve -> Look Nothing (Just (by "#d08a3e" "#d08a3e" "#dba368")) (by [4, 2.5] [3, 2] [2, 1.5])
+  VertexDot -> Look (Just dark) Nothing []
+  DegenerateVertexDot -> Look (Just "#ffffff") (Just "#b3122a") []
+  Axis -> line dark
+  Reference -> line "#b5b5b5"
+  Tick -> line dark
+  Leader -> Look Nothing (Just "#555555") [1.5, 1.5]
+  _ -> Look Nothing Nothing []
   where
-    stroke colour width = Look Nothing (Just colour) width
+    line colour = Look Nothing (Just colour) []
     solid = "#d4d4d4"
     dark = "#1f1f1f"
-    thin a b c = by a b c :: Double
-    by a b c = case density of
-      Sparse -> a
-      Dense -> b
-      Crowded -> c
+    by :: a -> a -> a -> a
+    by sparse dense crowded = byDensity density sparse dense crowded crowded

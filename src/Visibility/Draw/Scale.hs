@@ -48,16 +48,17 @@ decimalText x
   | x < 0 = Text.cons '−' (decimalText (negate x))
   | x == 0 = Text.pack "0"
   | not (isDecimal (denominator x)) = Text.pack (show (numerator x) <> "/" <> show (denominator x))
-  | e >= 0 && length figures + e <= 7 = Text.pack (figures <> replicate e '0')
+  | e >= 0 && (e < 5 || length figures + e <= 7) = Text.pack (figures <> replicate e '0')
   | e < 0 && point > 0 = Text.pack (take point figures <> "." <> drop point figures)
   | e < 0 && point > -4 = Text.pack ("0." <> replicate (negate point) '0' <> figures)
-  | otherwise = Text.pack (figures <> "e" <> (if e < 0 then "−" else "") <> show (abs e))
+  | otherwise = Text.pack (take 1 figures <> mantissaRest <> "e" <> (if point < 1 then "−" else "") <> show (abs (point - 1)))
   where
     isDecimal d = until ((/= 0) . (`rem` 2)) (`quot` 2) (until ((/= 0) . (`rem` 5)) (`quot` 5) d) == 1
     (m, e) = trim (until ((== 1) . denominator . fst) (\(v, k) -> (v * 10, k - 1)) (x, 0 :: Int))
     trim (v, k) = until ((/= 0) . (`rem` 10) . fst) (\(n, j) -> (n `quot` 10, j + 1)) (numerator v, k)
     figures = show m
     point = length figures + e
+    mantissaRest = if length figures > 1 then '.' : drop 1 figures else ""
 
 -- | The Double next to a quotient. /Requires/ a divisor other than 0.
 quotient :: Integer -> Integer -> Double

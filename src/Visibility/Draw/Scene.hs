@@ -5,7 +5,6 @@ module Visibility.Draw.Scene
 
 import Data.List (foldl')
 import Data.Maybe (mapMaybe)
-import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
 import Visibility.Draw.Labels
@@ -69,13 +68,16 @@ sceneDrawing scene vertices =
     scenery =
       Obstruction
         { canvas = frameOutside frame
-        , lightLines = concatMap strokes (bitangents <> lights)
-        , walls = concatMap strokes polygons
+        , lightLines = concatMap wide (bitangents <> lights)
+        , walls = concatMap wide polygons
         , taken = []
+        , clearance = 1.5
         }
     (labels, leaders, unlabelled)
       | cornerCount scene <= 40 = placeLabels scenery (map (cornerRequest scene place) (corners scene))
-      | otherwise = (mapMaybe (polygonLabel place (concatMap strokes lights)) (scenePolygons scene), [], [])
+      | otherwise = (mapMaybe (polygonLabel place (concatMap wide lights)) (scenePolygons scene), [], [])
+
+    wide mark = map (Line (strokeWidth Sparse (markStyle mark) / 2)) (strokes mark)
 
     width = canvasWidth
     top = frameHeight frame + footHeight
@@ -85,7 +87,7 @@ sceneDrawing scene vertices =
     (legendTop, legendWidth) = (footHeight - 6, width - 2 * sideMargin - 150)
     legendMarks = legend sideMargin legendTop legendWidth entries
     entries =
-      [Entry (regionSwatch Obstacle) (Text.pack "opaque") | any isSolid (scenePolygons scene)]
+      [Entry (regionSwatch Opaque) (Text.pack "opaque") | any isSolid (scenePolygons scene)]
         <> [Entry (lineSwatch [ThinWall]) (Text.pack "thin wall") | any isThin (scenePolygons scene)]
         <> [Entry (lineSwatch [Bitangent]) (Text.pack "free bitangent") | not (null bitangents)]
         <> [Entry (lineSwatch [LightRim, LightSource]) (Text.pack "light source") | not (null lights)]
@@ -161,7 +163,7 @@ polygonMark :: (CornerId -> Place) -> Polygon -> Mark
 polygonMark place polygon
   | polygonId polygon == Enclosure = Mark name RoomWall (Polyline (places <> take 1 places))
   | isThin polygon = Mark name ThinWall (Polyline places)
-  | otherwise = Mark name Obstacle (Region places)
+  | otherwise = Mark name Opaque (Region places)
   where
     name = Text.pack (polygonText (polygonId polygon))
     places = map place (polygonCorners polygon)
@@ -197,11 +199,11 @@ cornerRequest scene place c = Request name CornerLabel name [Seat here outward]
     next = bearing (place (nextCorner scene c))
     previous = bearing (place (previousCorner scene c))
     -- Free space runs counter-clockwise from the preceding side to the following one.
-    outward = previous + widened (next - previous) / 2
-    widened a = if a <= 0 then a + 2 * pi else a
+    outward = previous + positive (next - previous) / 2
+    positive a = if a <= 0 then a + 2 * pi else a
     bearing (Place x y) = let Place hx hy = here in atan2 (y - hy) (x - hx)
 
-polygonLabel :: (CornerId -> Place) -> [(Place, Place)] -> Polygon -> Maybe Mark
+polygonLabel :: (CornerId -> Place) -> [Line] -> Polygon -> Maybe Mark
 polygonLabel place bands polygon
   | polygonId polygon == Enclosure || isThin polygon = Nothing
   | otherwise = labelInside bands number PolygonLabel texts (map place (polygonCorners polygon))
@@ -222,9 +224,3 @@ scaleMarks scene frame (Place right y) =
     bar = roundStep (unit * toRational (80 / frameScale frame))
     unit = fromInteger (frameExtent frame) / fromInteger (latticeScale (sceneLattice scene))
     left = right - frameScale frame * fromRational (bar / unit)
-
--- | A text cut so that it fits a width.
-shortened :: Style -> Double -> Text -> Text
-shortened style width text
-  | textWidth style text <= width = text
-  | otherwise = until ((<= width) . textWidth style) (\t -> Text.snoc (Text.dropEnd 2 t) '…') text

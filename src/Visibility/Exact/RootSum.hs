@@ -36,22 +36,19 @@ module Visibility.Exact.RootSum
     -- * Enclosures
   , enclosure
   , enclosureRelative
-
-    -- * Integer square roots
-  , integerSquareRoot
-  , exactSquareRoot
   ) where
 
 import Control.Monad (guard)
-import Data.Bits (setBit, shiftL, shiftR, testBit, (.&.))
+import Data.Bits (shiftL, shiftR, testBit, (.&.))
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
 import Data.Map.Merge.Strict (merge, preserveMissing, zipWithMaybeMatched)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import GHC.Num (integerLog2)
+import Visibility.Exact.IntegerRoot
 
 -- | A finite sum Σ cᵢ √nᵢ with rational cᵢ and integers nᵢ > 0.
 --
@@ -307,9 +304,6 @@ oddPrimes = [OddPrime p (squareResidues p) | p <- [3, 5, 7, 11, 13, 17, 19, 23, 
 oddPrimesProduct :: Integer
 oddPrimesProduct = product [toInteger p | OddPrime p _ <- oddPrimes]
 
-squareResidues :: Int -> Integer
-squareResidues m = foldl' setBit 0 [i * i `rem` m | i <- [0 .. m - 1]]
-
 -- | The rational number that a sum is, if it is one.
 --
 -- Example: √4 + √9 is 5; √2 is none.
@@ -371,74 +365,3 @@ relativeScale p s@(RootSum m) = p + guardBits s - largest
 -- | Bits by which the sum of that many unit intervals is wider than one of them.
 guardBits :: RootSum -> Int
 guardBits (RootSum m) = fromIntegral (integerLog2 (toInteger (Map.size m))) + 1
-
--- | The largest integer whose square is at most n.
---
--- /Degenerate cases:/ 0 for a negative n.
---
--- /Cost:/ that of one division of a number of n's length by one half as long: every Newton step doubles the digits.
---
--- /Laws:/ r² ≤ n < (r + 1)² for n ≥ 0.
---
--- Example: 9 for 99, 10 for 100.
---
--- /Source:/ the recursion is the one of Python's @math.isqrt@ (Dickinson); it stays within one of the root.
-integerSquareRoot :: Integer -> Integer
-integerSquareRoot n
-  | n <= 0 = 0
-  | n < machineLimit = machineSquareRoot n
-  | a * a > n = a - 1
-  | otherwise = a
-  where
-    a = nearSquareRoot (fromIntegral (integerLog2 n) `quot` 2) n
-
--- | For 4ᶜ ≤ n < 4ᶜ⁺¹ an integer a with (a − 1)² < n < (a + 1)².
-nearSquareRoot :: Int -> Integer -> Integer
-nearSquareRoot c n
-  | n < machineLimit = machineSquareRoot n
-  | otherwise = (a `shiftL` k) + (n `shiftR` (k + 2)) `quot` a
-  where
-    k = (c - 1) `quot` 2
-    a = nearSquareRoot (c `quot` 2) (n `shiftR` (2 * k + 2))
-
-machineLimit :: Integer
-machineLimit = 1 `shiftL` 62
-
--- | The exact root of an integer from 1 to 2⁶² − 1. The floating-point root errs by less than one, and is corrected.
-machineSquareRoot :: Integer -> Integer
-machineSquareRoot big
-  | guess * guess > n = toInteger (guess - 1)
-  | (guess + 1) * (guess + 1) <= n = toInteger (guess + 1)
-  | otherwise = toInteger guess
-  where
-    n = fromInteger big :: Int
-    guess = truncate (sqrt (fromIntegral n :: Double)) :: Int
-
--- | The root of a perfect square.
---
--- /Cost:/ residues modulo 64, 63, 65 and 11 turn away more than 99 in 100 integers without a square root.
-exactSquareRoot :: Integer -> Maybe Integer
-exactSquareRoot n
-  | n >= 0 && mayBeSquare n && r * r == n = Just r
-  | otherwise = Nothing
-  where
-    r = integerSquareRoot n
-
-isSquare :: Integer -> Bool
-isSquare n = n == 1 || isJust (exactSquareRoot n)
-
--- | False only for integers that are no squares.
-mayBeSquare :: Integer -> Bool
-mayBeSquare n =
-  testBit squares64 (fromInteger (n .&. 63))
-    && testBit squares63 (r `rem` 63)
-    && testBit squares65 (r `rem` 65)
-    && testBit squares11 (r `rem` 11)
-  where
-    r = fromInteger (n `rem` 45045) :: Int
-
-squares64, squares63, squares65, squares11 :: Integer
-squares64 = squareResidues 64
-squares63 = squareResidues 63
-squares65 = squareResidues 65
-squares11 = squareResidues 11

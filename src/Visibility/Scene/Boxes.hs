@@ -35,7 +35,7 @@ boxContains :: Box -> Box -> Bool
 boxContains (Box l r b t) (Box l' r' b' t') = l <= l' && r' <= r && b <= b' && t' <= t
 {-# INLINE boxContains #-}
 
--- | The smallest box around others; around none, a box that overlaps nothing.
+-- | The smallest box around others; around none, a box that overlaps nothing finite.
 enclosingBox :: [Box] -> Box
 enclosingBox = foldr join nowhere
 

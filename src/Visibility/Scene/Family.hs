@@ -24,7 +24,7 @@ import Data.List (find)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Exact.Point (Point (..))
-import Visibility.Exact.RootSum (exactSquareRoot, integerSquareRoot)
+import Visibility.Exact.IntegerRoot (exactSquareRoot, integerSquareRoot)
 import Visibility.Scene.Family.Draw
 import Visibility.Scene.Raw
 
@@ -110,7 +110,7 @@ type Pair = (Integer, Integer)
 
 obstacles :: Family -> Int -> Seed -> [[Pair]]
 obstacles kind n seed = case kind of
-  Random -> scattered 4500000 (quadrilateral 700 1000)
+  Random -> scattered 4640000 (quadrilateral 700 1000)
   Sparse -> scattered (2 * randomCell) (quadrilateral 90 130)
   Grid -> [map (moved (2 * i, 2 * j)) [(0, 0), (1, 0), (1, 1), (0, 1)] | (i, j) <- map cell [0 .. n - 1]]
   Room -> map (map (moved (roomMargin, roomMargin))) (scattered (2 * randomCell) (quadrilateral 700 1000))

@@ -239,6 +239,7 @@ positionErrors o flat met =
   , q <- foldBoxes (`boxContains` (boxes V.! p)) (flip (:)) [] tree
   , q /= p
   , name q /= Enclosure
+  , length (cornersOf o q) > 2
   , not (meet p q)
   , isInside p q
   ]

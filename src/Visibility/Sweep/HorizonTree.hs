@@ -23,6 +23,7 @@ module Visibility.Sweep.HorizonTree
   , Frame (..)
   , frame
   , nodeSource
+  , markerOf
   , isTreeEdge
   , linkable
   , none

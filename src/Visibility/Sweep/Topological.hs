@@ -15,11 +15,12 @@ module Visibility.Sweep.Topological
   , start
   , step
   , trace
+  , finish
   , stepsTaken
   ) where
 
 import Control.Monad.ST (ST, runST)
-import Data.List (unfoldr)
+import Data.List (foldl', unfoldr)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Law (broken)
@@ -65,11 +66,19 @@ start scene =
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]
-vertices scene = concat (unfoldr several (start scene))
+vertices scene = concatMap fst (pieces scene)
+
+-- | The state at the end of the half turn. /Cost/ that of 'vertices'.
+finish :: Scene -> Sweep
+finish scene = foldl' (\_ (_, state) -> state) (start scene) (pieces scene)
+
+-- | The sweep in pieces of n vertices, each with the state after it.
+pieces :: Scene -> [([Vertex], Sweep)]
+pieces scene = unfoldr several (start scene)
   where
     several state = case steps scene (max 64 (cornerCount scene)) state of
       ([], _) -> Nothing
-      next -> Just next
+      (found, state') -> Just ((found, state'), state')
 
 -- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)

@@ -1,0 +1,121 @@
+-- | The ladder: the topological sweep on scenes of 2^7 to 2^14 corners of every family.
+--
+-- For each scene: time, allocation and chain steps per elementary visible pair, the best of several runs in this process;
+-- and the time as a ratio to that at 2^8 corners. Arguments: names of families; none means all.
+module Main (main) where
+
+import Control.Exception (evaluate)
+import Control.Monad (forM, forM_, when)
+import Data.Foldable (traverse_)
+import Data.IORef (newIORef, readIORef)
+import Data.List (find)
+import Data.Maybe (mapMaybe)
+import qualified Data.Text as Text
+import GHC.Stats (getRTSStats, getRTSStatsEnabled, allocated_bytes)
+import Numeric (showFFloat)
+import System.CPUTime (getCPUTime)
+import System.Environment (getArgs)
+import System.Mem (performGC)
+import Visibility.FormFactor (measureList, measures)
+import Visibility.Law (broken)
+import Visibility.Scene (Scene, cornerCount)
+import Visibility.Scene.Family
+import Visibility.Scene.Validate (validate)
+import Visibility.Sweep (finish, pairsSwept, stepsTaken, vertices)
+import Visibility.View (events)
+
+main :: IO ()
+main = do
+  names <- getArgs
+  let chosen = if null names then [minBound ..] else mapMaybe (familyNamed . Text.pack) names
+  enabled <- getRTSStatsEnabled
+  when (not enabled) $ putStrLn "run with +RTS -T for allocations"
+  putStrLn (row ["family", "corners", "pairs", "pairs/corner", "us/pair", "growth", "bytes/pair", "steps/pair"])
+  forM_ chosen $ \kind -> do
+    rungs <- forM (ladder kind) (measured . sceneOf kind)
+    let base = find ((>= 250) . rungCorners) rungs
+    traverse_ (putStrLn . rungText (Text.unpack (familyName kind)) base) rungs
+  putStrLn ""
+  putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
+  forM_ [25, 100, 400] $ \n -> do
+    let scene = sceneOf Random n
+        pairs = pairsSwept (finish scene)
+    best <- bestTime scene (\s -> length (measureList s (measures s (events s (vertices s)))))
+    putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (best / fromIntegral pairs)])
+
+-- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of it.
+ladder :: Family -> [Int]
+ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
+  where
+    top = case kind of
+      Sparse -> 2048
+      _ -> 16384
+    sized corners = fmap sizeCount (size (corners `div` perPolygon))
+    perPolygon = case kind of
+      Comb -> 8
+      ThinWalls -> 2
+      Needles -> 3
+      _ -> 4
+
+sceneOf :: Family -> Int -> Scene
+sceneOf kind n = case fmap (\k -> validate (family kind k (Seed 1))) (size n) of
+  Just (Right scene) -> scene
+  _ -> broken "a generated scene is valid" (show (kind, n))
+
+data Rung = Rung
+  { rungCorners :: !Int
+  , rungPairs :: !Int
+  , rungSeconds :: !Double
+  , rungBytes :: !Double
+  , rungSteps :: !Int
+  }
+
+measured :: Scene -> IO Rung
+measured scene = do
+  _ <- evaluate (cornerCount scene)
+  let final = finish scene
+      pairs = pairsSwept final
+  steps <- evaluate (stepsTaken final)
+  best <- bestTime scene (length . vertices)
+  held <- newIORef scene
+  before <- allocated_bytes <$> getRTSStats
+  _ <- readIORef held >>= evaluate . length . vertices
+  after <- allocated_bytes <$> getRTSStats
+  pure (Rung (cornerCount scene) pairs best (fromIntegral (after - before)) steps)
+
+-- | The least processor time of at least three runs that take a fifth of a second together. The scene comes out of a cell for each
+-- run, so that no run can share the result of another.
+bestTime :: Scene -> (Scene -> Int) -> IO Double
+bestTime scene work = newIORef scene >>= go (0 :: Int) 0 (1 / 0)
+  where
+    go k total best held
+      | k >= 1000 || k >= 3 && total > 0.2 = pure best
+      | otherwise = do
+          performGC
+          fresh <- readIORef held
+          begun <- getCPUTime
+          _ <- evaluate (work fresh)
+          ended <- getCPUTime
+          let seconds = fromInteger (ended - begun) / 1e12
+          go (k + 1) (total + seconds) (min best seconds) held
+
+rungText :: String -> Maybe Rung -> Rung -> String
+rungText name base rung =
+  row
+    [ name
+    , show (rungCorners rung)
+    , show (rungPairs rung)
+    , showFFloat (Just 1) (fromIntegral (rungPairs rung) / fromIntegral (rungCorners rung) :: Double) ""
+    , microseconds (perPair rung)
+    , maybe "" (\b -> showFFloat (Just 2) (perPair rung / perPair b) "") base
+    , showFFloat (Just 0) (rungBytes rung / fromIntegral (rungPairs rung)) ""
+    , showFFloat (Just 2) (fromIntegral (rungSteps rung) / fromIntegral (rungPairs rung) :: Double) ""
+    ]
+  where
+    perPair r = rungSeconds r / fromIntegral (rungPairs r)
+
+microseconds :: Double -> String
+microseconds seconds = showFFloat (Just 2) (seconds * 1e6) ""
+
+row :: [String] -> String
+row = concatMap (\cell -> replicate (13 - length cell) ' ' <> cell)

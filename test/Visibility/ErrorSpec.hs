@@ -1,0 +1,174 @@
+module Visibility.ErrorSpec (spec) where
+
+import Control.Exception (displayException)
+import Control.Monad (forM)
+import Data.Bifunctor (first)
+import qualified Data.ByteString as Bytes
+import Data.Foldable (for_, toList)
+import Data.List (isInfixOf, sort)
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.Set as Set
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import System.Directory (listDirectory)
+import System.FilePath (replaceExtension, takeExtension, (</>))
+import Test.Hspec
+import Visibility.Error
+import Visibility.Format.Json
+import Visibility.Format.Number
+import Visibility.Scene.Id
+import Visibility.Scene.Validate
+
+folder :: FilePath
+folder = "test" </> "golden" </> "errors"
+
+spec :: Spec
+spec = do
+  describe "golden messages: each scene in test/golden/errors has the problems in the file beside it" $ do
+    files <- runIO (listDirectory folder)
+    let scenes = sort (filter ((== ".json") . takeExtension) files)
+    for_ scenes $ \file -> it file $ do
+      outcome <- problemsOf file
+      expected <- Bytes.readFile (folder </> replaceExtension file ".txt")
+      case outcome of
+        [] -> expectationFailure "the scene is valid"
+        p : ps -> report (p :| ps) `shouldBe` Text.unpack (Text.decodeUtf8 expected)
+    it "has no expectation without a scene" $
+      sort (filter ((== ".txt") . takeExtension) files) `shouldBe` map (`replaceExtension` ".txt") scenes
+    it "shows every kind of problem" $ do
+      problems <- concat <$> forM scenes problemsOf
+      Set.fromList (concatMap kinds problems) `shouldBe` Set.fromList allKinds
+  describe "errorText of files that cannot be read" $ do
+    it "names the file" $ do
+      errorText (UnreadableFile "a.json" NoSuchFile)
+        `shouldBe` "a.json: there is no such file; give the path of a scene, or - for standard input"
+      errorText (UnreadableFile "a.json" NotPermitted)
+        `shouldBe` "a.json: may not be read; give yourself permission to read it"
+      errorText (UnreadableFile "a" (ReadFailed "is a directory"))
+        `shouldBe` "a: cannot be read (is a directory); give the path of a scene, or - for standard input"
+    it "names formats to come" $ do
+      errorText (UnparseableFile "a.wkt" (FormatNotReadYet Wkt))
+        `shouldBe` "a.wkt: WKT is not read yet; give the scene as JSON"
+      errorText (UnparseableFile "a.geojson" (FormatNotReadYet GeoJson))
+        `shouldBe` "a.geojson: GeoJSON is not read yet; give the scene as JSON"
+  describe "exit codes" $ do
+    it "are those of the contract" $
+      map exitNumber [minBound .. maxBound] `shouldBe` [0, 1, 2, 3, 4, 5, 70]
+    it "of several problems, the earliest failure counts" $ do
+      let invalid = InvalidScene "a" EmptyScene
+          unparseable = UnparseableFile "b" (FormatNotReadYet Wkt)
+          unreadable = UnreadableFile "c" NoSuchFile
+      map (exitNumber . problemOutcome) [unreadable, unparseable, invalid] `shouldBe` [2, 3, 4]
+      problemsOutcome (invalid :| [unparseable]) `shouldBe` UnparseableInput
+      problemsOutcome (unparseable :| [invalid, unreadable]) `shouldBe` UnreadableInput
+  describe "a broken law" $
+    it "shows its name and details" $ do
+      let text = displayException (BrokenLaw "closure" "row 3.0 sums to 2")
+      text `shouldSatisfy` isInfixOf "closure"
+      text `shouldSatisfy` isInfixOf "row 3.0 sums to 2"
+
+problemsOf :: FilePath -> IO [Problem]
+problemsOf file = do
+  bytes <- Bytes.readFile (folder </> file)
+  pure (either toList (const []) (readScene file bytes >>= first (fmap (InvalidScene file)) . validate))
+
+report :: NonEmpty Problem -> String
+report problems =
+  unlines (("exit " <> show (exitNumber (problemsOutcome problems))) : map errorText (toList problems))
+
+-- | A case of a problem that has a text of its own. The functions below are total, so a new case cannot be forgotten.
+data Kind
+  = Syntax SyntaxKind
+  | Shape ShapeKind
+  | Scene SceneKind
+  deriving (Eq, Ord, Show)
+
+data SyntaxKind = KUnexpected Expected | KControl | KSurrogate | KUtf8 | KDeep
+  deriving (Eq, Ord, Show)
+
+data ShapeKind = KWrongKind Wanted | KMissing | KUnknown | KTwice | KSideKey | KNumber NumberFault
+  deriving (Eq, Ord, Show)
+
+data SceneKind
+  = KEmpty
+  | KFew
+  | KRepeated
+  | KZeroArea
+  | KSpike
+  | KCornerOnCorner Whose
+  | KCornerOnSide Whose
+  | KCrossing Whose
+  | KNested
+  | KOutside
+  | KNoSide
+  | KEmission PlaceKind
+  | KReflectivity PlaceKind
+  deriving (Eq, Ord, Show)
+
+data Whose = OwnBoundary | OtherPolygon | TheEnclosure
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+data PlaceKind = AtPolygon | AtSide
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+allKinds :: [Kind]
+allKinds =
+  map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KSurrogate, KUtf8, KDeep])
+    <> map Shape (map KWrongKind [minBound .. maxBound] <> [KMissing, KUnknown, KTwice, KSideKey] <> map KNumber [minBound .. maxBound])
+    <> map
+      Scene
+      ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
+          <> map KCornerOnCorner [OtherPolygon, TheEnclosure]
+          <> map KCornerOnSide [minBound .. maxBound]
+          <> map KCrossing [minBound .. maxBound]
+          <> map KEmission [minBound .. maxBound]
+          <> map KReflectivity [minBound .. maxBound]
+      )
+
+kinds :: Problem -> [Kind]
+kinds problem = case problem of
+  UnreadableFile _ _ -> []
+  UnparseableFile _ (FormatNotReadYet _) -> []
+  UnparseableFile _ (SyntaxError _ fault) -> [Syntax (syntaxKind fault)]
+  UnparseableFile _ (ShapeError _ fault) -> [Shape (shapeKind fault)]
+  InvalidScene _ fault -> [Scene (sceneKind fault)]
+
+syntaxKind :: SyntaxFault -> SyntaxKind
+syntaxKind fault = case fault of
+  Unexpected _ expected -> KUnexpected expected
+  ControlCharacter _ -> KControl
+  UnpairedSurrogate -> KSurrogate
+  InvalidUtf8 -> KUtf8
+  TooDeep _ -> KDeep
+
+shapeKind :: ShapeFault -> ShapeKind
+shapeKind fault = case fault of
+  WrongKind _ wanted -> KWrongKind wanted
+  MissingKey _ _ -> KMissing
+  UnknownKey _ _ -> KUnknown
+  DuplicateKey _ -> KTwice
+  BadSideKey _ -> KSideKey
+  BadNumber _ why -> KNumber why
+
+sceneKind :: SceneError -> SceneKind
+sceneKind fault = case fault of
+  EmptyScene -> KEmpty
+  TooFewCorners _ _ -> KFew
+  RepeatedCorner _ _ _ -> KRepeated
+  ZeroArea _ -> KZeroArea
+  Spike _ _ -> KSpike
+  CornerOnCorner (CornerName p _) (CornerName q _) _ -> KCornerOnCorner (whose p q)
+  CornerOnSide (CornerName p _) (SideName q _) _ -> KCornerOnSide (whose p q)
+  CrossingSides (SideName p _) (SideName q _) -> KCrossing (whose p q)
+  NestedPolygon _ _ -> KNested
+  OutsideEnclosure _ -> KOutside
+  NoSuchSide _ _ -> KNoSide
+  BadEmission place _ -> KEmission (placeKind place)
+  BadReflectivity place _ -> KReflectivity (placeKind place)
+  where
+    whose p q
+      | p == q = OwnBoundary
+      | q == Enclosure = TheEnclosure
+      | otherwise = OtherPolygon
+    placeKind (OfPolygon _) = AtPolygon
+    placeKind (OfSide _) = AtSide

@@ -1,0 +1,108 @@
+module Visibility.Exact.PointSpec (spec) where
+
+import Data.Ratio (denominator, (%))
+import qualified Data.Vector.Unboxed as U
+import Test.Hspec
+import Test.QuickCheck
+import Visibility.Exact.Point
+
+-- | Points with denominators of all kinds, at least one.
+newtype SomePoints = SomePoints [Point]
+  deriving (Show)
+
+instance Arbitrary SomePoints where
+  arbitrary = SomePoints <$> listOf1 (Point <$> coordinate <*> coordinate)
+    where
+      coordinate = oneof [fromInteger <$> choose (-9, 9), (%) <$> choose (-99, 99) <*> choose (1, 30), (*) . (10 ^^) <$> choose (-40, 40 :: Int) <*> arbitrary]
+  shrink (SomePoints ps) = [SomePoints qs | qs <- shrinkList (const []) ps, not (null qs)]
+
+spec :: Spec
+spec = do
+  describe "the lattice" $ do
+    it "takes a point there and back" $
+      property $ \(SomePoints ps) -> let l = latticeFor ps in map (fromLattice l . ontoLattice l) ps === ps
+    it "has the lower left corner of the bounding box as its origin" $
+      property $ \(SomePoints ps) ->
+        let l = latticeFor ps
+            qs = map (ontoLattice l) ps
+         in (minimum [x | Vector2 x _ <- qs], minimum [y | Vector2 _ y <- qs]) === (0, 0)
+    it "enlarges displacements by its scale, and no scale is smaller" $
+      property $ \(SomePoints ps) ->
+        let l = latticeFor ps
+            factor = fromInteger (latticeScale l) :: Rational
+         in conjoin
+              [ conjoin
+                  [ let Vector2 dx dy = difference (ontoLattice l a) (ontoLattice l b)
+                     in (fromInteger dx, fromInteger dy) === (factor * (bx - ax), factor * (by - ay))
+                  | a@(Point ax ay) <- take 4 ps
+                  , b@(Point bx by) <- take 4 ps
+                  ]
+              , latticeScale l === foldr (\(Point x y) k -> least k x y) 1 ps
+              ]
+    it "is the integers themselves for integer points" $
+      latticeScale (latticeFor [Point 3 4, Point (-1) 7]) `shouldBe` 1
+  describe "the arithmetic" $ do
+    it "is that of machine integers up to the extent 2^31 - 1 and not beyond" $
+      [ (k, kernelName (pointsOn Filtered [Vector2 0 0, v]))
+      | k <- [2 ^ (31 :: Int) - 1, 2 ^ (31 :: Int), 2 ^ (31 :: Int) + 1]
+      , v <- [Vector2 k 0, Vector2 0 k]
+      ]
+        `shouldBe` [ (2 ^ (31 :: Int) + d, name)
+                   | (d, name) <- [(-1, "machine"), (0, "filter"), (1, "filter")]
+                   , _ <- [(), ()]
+                   ]
+    it "is what is asked for" $
+      map (kernelName . (`pointsOn` [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound] `shouldBe` ["machine", "integer", "double"]
+    it "can be chosen anew without touching the points" $
+      property $ \a b (SomePoints ps) ->
+        let l = latticeFor ps
+            qs = map (ontoLattice l) ps
+            points = withArithmetic (arithmetic b) (pointsOn (arithmetic a) qs)
+         in (map (pointAt points) [0 .. pointCount points - 1], kernelName points)
+              === (qs, kernelName (pointsOn (arithmetic b) qs))
+    it "is kept when corners are put in another order" $
+      property $ \(SomePoints ps) -> forAll (shuffle [0 .. length ps - 1]) $ \order ->
+        let l = latticeFor ps
+            points = pointsOn Exact (map (ontoLattice l) ps)
+            moved = permuted Filtered (U.fromList order) points
+         in map (pointAt moved) [0 .. pointCount moved - 1] === map (pointAt points) order
+    it "bounds the rounding of every Double of the filter, and knows where nothing was rounded" $
+      property $ \(BeyondMachine extents) -> case pointsKernel (pointsOn Filtered extents) of
+        FilterKernel xs ->
+          let extent = maximum (concat [[x, y] | Vector2 x y <- extents])
+              k = length (takeWhile (<= extent) (iterate (* 2) 1))
+              exact = concat [[x % 2 ^ k, y % 2 ^ k] | Vector2 x y <- extents]
+              stored = concat [[(xs U.! i, xs U.! (i + 2)), (xs U.! (i + 1), xs U.! (i + 3))] | i <- [0, 4 .. U.length xs - 4]]
+           in conjoin
+                [ counterexample (show (q, d, e)) $
+                    let off = abs (q - toRational d) in off <= toRational e && (off /= 0 || e == 0) && d < 1
+                | (q, (d, e)) <- zip exact stored
+                ]
+        _ -> counterexample "no filter" False
+  where
+    least k x y = foldl lcm k [denominator x, denominator y]
+
+-- | Lattice points with an extent beyond machine integers.
+newtype BeyondMachine = BeyondMachine [Vector2]
+  deriving (Show)
+
+instance Arbitrary BeyondMachine where
+  arbitrary = do
+    top <- elements [2 ^ (31 :: Int), 2 ^ (60 :: Int) + 1, 3 ^ (80 :: Int), 10 ^ (400 :: Int)]
+    others <- listOf (Vector2 <$> below top <*> below top)
+    pure (BeyondMachine (Vector2 top 0 : others))
+    where
+      below top = oneof [choose (0, top), choose (0, 9), (top -) <$> choose (0, 9)]
+
+kernelName :: Points -> String
+kernelName points = case pointsKernel points of
+  MachineKernel _ -> "machine"
+  FilterKernel _ -> "filter"
+  IntegerKernel -> "integer"
+  DoubleKernel _ -> "double"
+
+newtype SomeArithmetic = SomeArithmetic {arithmetic :: Arithmetic}
+  deriving (Show)
+
+instance Arbitrary SomeArithmetic where
+  arbitrary = SomeArithmetic <$> arbitraryBoundedEnum

@@ -1,0 +1,146 @@
+module Visibility.Exact.PredicateSpec (spec) where
+
+import Control.Monad (forM_)
+import Test.Hspec
+import Test.QuickCheck
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate
+
+-- | Three points of a lattice whose corner is the origin: random, or nearly on a line, of every magnitude.
+data Triple = Triple Vector2 Vector2 Vector2
+  deriving (Show)
+
+instance Arbitrary Triple where
+  arbitrary = do
+    extent <- elements ([4, 1000] <> [2 ^ k + d | k <- [31, 32, 52, 53, 54, 60, 63, 106, 200, 1100 :: Int], d <- [-1, 0, 1]] <> [10 ^ (30 :: Int)])
+    a <- point extent
+    b <- point extent
+    c <- oneof [point extent, onLine a b, nearLine a b, atEdge extent]
+    elements [Triple a b c, Triple c a b, Triple b c a, Triple a c b]
+    where
+      coordinate extent = frequency [(3, choose (0, extent)), (1, elements [0, 1, extent - 1, extent]), (1, choose (0, min extent 9))]
+      point extent = Vector2 <$> coordinate extent <*> coordinate extent
+      atEdge extent = Vector2 <$> elements [0, extent] <*> elements [0, extent]
+      -- Exactly on the line: between the two, where the displacement is divisible.
+      onLine (Vector2 ax ay) (Vector2 bx by) =
+        let g = max 1 (gcd (bx - ax) (by - ay)) in (\k -> Vector2 (ax + k * ((bx - ax) `quot` g)) (ay + k * ((by - ay) `quot` g))) <$> choose (0, g)
+      -- Rounded from the line, and a step beside it or none.
+      nearLine (Vector2 ax ay) (Vector2 bx by) = do
+        k <- choose (0, 1000)
+        dx <- choose (-1, 1)
+        dy <- choose (-1, 1)
+        pure (Vector2 (max 0 (ax + k * (bx - ax) `div` 1000 + dx)) (max 0 (ay + k * (by - ay) `div` 1000 + dy)))
+
+-- | The three points under an arithmetic, as corners 0, 1 and 2.
+under :: Arithmetic -> Triple -> Points
+under arithmetic (Triple a b c) = pointsOn arithmetic [a, b, c]
+
+-- | The sign of the determinant, expanded in another way than the kernels compute it.
+determinant :: Triple -> Turn
+determinant (Triple (Vector2 ax ay) (Vector2 bx by) (Vector2 cx cy)) =
+  case compare (ax * by + bx * cy + cx * ay) (ay * bx + by * cx + cy * ax) of
+    GT -> LeftTurn
+    EQ -> Collinear
+    LT -> RightTurn
+
+exactArithmetics :: [Arithmetic]
+exactArithmetics = [Exact, Filtered]
+
+spec :: Spec
+spec = do
+  describe "turn" $ do
+    forM_ exactArithmetics $ \arithmetic -> describe (show arithmetic) $ do
+      it "is the sign of the determinant" $
+        property $ \t -> turn (under arithmetic t) 0 1 2 === determinant t
+      it "is cyclic" $
+        property $ \t -> let p = under arithmetic t in turn p 0 1 2 === turn p 1 2 0
+      it "is antisymmetric" $
+        property $ \t -> let p = under arithmetic t in turn p 0 1 2 === opposite (turn p 1 0 2)
+      it "is collinear where two corners are one" $
+        property $ \t ->
+          let p = under arithmetic t
+           in [turn p i j k | i <- [0 .. 2], j <- [0 .. 2], k <- [0 .. 2], i == j || j == k || i == k] === replicate 21 Collinear
+      it "sees a difference of one in two hundred bits" $
+        let k = 2 ^ (200 :: Int)
+            third d = pointsOn arithmetic [Vector2 0 0, Vector2 k k, Vector2 (2 * k) (2 * k + d)]
+         in [turn (third d) 0 1 2 | d <- [-1, 0, 1]] `shouldBe` [RightTurn, Collinear, LeftTurn]
+      it "sees neighbours in a Farey sequence apart" $
+        [ turn (pointsOn arithmetic [Vector2 0 0, Vector2 q p, Vector2 q' p']) 0 1 2
+        | ((p, q), (p', q')) <- zip fibonacciFractions (drop 1 fibonacciFractions)
+        ]
+          `shouldBe` take (length fibonacciFractions - 1) (cycle [LeftTurn, RightTurn])
+      it "does not overflow at the largest extent of machine integers" $
+        let m = 2 ^ (31 :: Int) - 1
+            ends = [0, 1, m - 1, m]
+            grid = [Vector2 x y | x <- ends, y <- ends]
+            points = pointsOn arithmetic grid
+            at i = grid !! i
+         in [ (i, j, k)
+            | i <- [0 .. 15]
+            , j <- [0 .. 15]
+            , k <- [0 .. 15]
+            , turn points i j k /= determinant (Triple (at i) (at j) (at k))
+            ]
+              `shouldBe` []
+      it "is right on the points that Doubles get wrong" $
+        [(x, y) | (x, y) <- classroom, turn (classroomPoints arithmetic x y) 0 1 2 /= compareAsTurn y x] `shouldBe` []
+    it "is wrong under Doubles without a bound: they find corners on a line that are not, and know no better" $
+      let wrong = [(x, y) | (x, y) <- classroom, turn (classroomPoints UnsafeDouble x y) 0 1 2 /= compareAsTurn y x]
+       in (length wrong > 500, [turn (classroomPoints a 3 4) 0 1 2 | a <- [Exact, Filtered, UnsafeDouble]])
+            `shouldBe` (True, [LeftTurn, LeftTurn, Collinear])
+  describe "directions" $ do
+    it "turn as the corners that make them" $
+      property $ \t ->
+        let p = under Exact t in directionTurn (direction p 0 1) (direction p 0 2) === turn p 0 1 2
+    it "of lines are ordered by angle: totally, upwards last" $
+      property $ \(Line a) (Line b) (Line c) ->
+        conjoin
+          [ compareDirections a b === flipped (compareDirections b a)
+          , compareDirections a upwards =/= GT
+          , property (compareDirections a b == GT || compareDirections b c == GT || compareDirections a c /= GT)
+          , compareDirections a b === compare (angle a) (angle b)
+          ]
+    it "make less than a right angle by the sign of their dot product" $
+      [isPositiveDot (Direction 1 0) (Direction x 1) | x <- [-1, 0, 1]] `shouldBe` [False, False, True]
+  describe "opposite" $
+    it "undoes itself and leaves collinear alone" $
+      (map (opposite . opposite) [minBound .. maxBound], opposite Collinear) `shouldBe` ([minBound .. maxBound], Collinear)
+  where
+    flipped o = case o of LT -> GT; EQ -> EQ; GT -> LT
+
+-- | A right-going direction.
+newtype Line = Line Direction
+  deriving (Show)
+
+instance Arbitrary Line where
+  arbitrary = Line <$> oneof [Direction <$> choose (1, 5) <*> choose (-5, 5), Direction <$> choose (1, 10 ^ (30 :: Int)) <*> choose (-10, 10), pure upwards]
+
+-- | An order-preserving stand-in for the angle: the slope, infinite upwards.
+angle :: Direction -> Either Rational ()
+angle (Direction 0 _) = Right ()
+angle (Direction x y) = Left (fromInteger y / fromInteger x)
+
+-- | Quotients of Fibonacci numbers: neighbours differ by as little as their denominators allow. Beyond 2³¹.
+fibonacciFractions :: [(Integer, Integer)]
+fibonacciFractions = take 80 (zip fibonacci (drop 1 fibonacci))
+  where
+    fibonacci = 1 : 2 : zipWith (+) fibonacci (drop 1 fibonacci)
+
+-- | Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness problems in geometric computations: a corner a
+-- few units of the last place beside (1/2, 1/2), seen against (12, 12) and (24, 24).
+classroom :: [(Integer, Integer)]
+classroom = [(x, y) | x <- [0, 5 .. 255], y <- [0, 3 .. 255]]
+
+classroomPoints :: Arithmetic -> Integer -> Integer -> Points
+classroomPoints arithmetic x y = pointsOn arithmetic (map (ontoLattice (latticeFor points)) points)
+  where
+    unit = 2 ^ (53 :: Int) :: Rational
+    points = [Point (1 / 2 + fromInteger x / unit) (1 / 2 + fromInteger y / unit), Point 12 12, Point 24 24]
+
+-- | The turn from a point (x, y) beside the diagonal over (12, 12) to (24, 24) is left where the point lies above the
+-- diagonal.
+compareAsTurn :: Integer -> Integer -> Turn
+compareAsTurn y x = case compare y x of
+  LT -> RightTurn
+  EQ -> Collinear
+  GT -> LeftTurn

@@ -1,0 +1,134 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+module Visibility.Format.JsonSpec (spec) where
+
+import qualified Data.Aeson as Aeson
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Chars
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.Map.Strict as Map
+import Data.Ratio ((%))
+import qualified Data.Text as Text
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+import Visibility.Error
+import Visibility.Exact.Point (Point (..))
+import Visibility.Format.Json
+import Visibility.Scene (cornerCount)
+import Visibility.Scene.Raw
+
+spec :: Spec
+spec = do
+  describe "readScene" $ do
+    it "reads the scene of the contract" $
+      readScene "a" contract
+        `shouldBe` Right
+          RawScene
+            { rawName = Just "two rooms"
+            , rawEnclosure = Just (rawPolygon (points [(0, 0), (10, 0), (10, 8), (0, 8)])) {rawMaterial = Material 0 (7 % 10)}
+            , rawPolygons =
+                [ RawPolygon
+                    (Just "lamp")
+                    (points [(1 % 3, 2), (1, 2), (1, 5 % 2)])
+                    (Material 1 (1 % 2))
+                    (Map.fromList [(2, MaterialOverride (Just 0) Nothing)])
+                , rawPolygon (points [(4, 4), (6, 4), (5, 6)])
+                ]
+            }
+    it "reads numbers as the decimals they spell" $
+      readScene "a" "{\"polygons\": [[[0.1, 1e-3], [-1.50E+2, \"7/2\"]]]}"
+        `shouldBe` Right (RawScene Nothing Nothing [rawPolygon (points [(1 % 10, 1 % 1000), (-150, 7 % 2)])])
+    it "reports every fault of shape, in order" $
+      readScene "a" "{\"polygons\": [[[0, null], [1]], 7], \"x\": 0}"
+        `shouldBe` Left
+          ( UnparseableFile "a" (ShapeError Root (UnknownKey "x" ["format", "name", "enclosure", "polygons"]))
+              :| [ UnparseableFile "a" (ShapeError (Item (Item (Item polygons 0) 0) 1) (WrongKind FoundNull WantedNumber))
+                 , UnparseableFile "a" (ShapeError (Item (Item polygons 0) 1) (WrongKind (FoundList 1) WantedCorner))
+                 , UnparseableFile "a" (ShapeError (Item polygons 1) (WrongKind (FoundNumber "7") WantedPolygon))
+                 ]
+          )
+    it "leaves to validation what has the shape of a scene" $
+      readScene "a" "{\"polygons\": [{\"corners\": [], \"emission\": -1, \"sides\": {\"-7\": {}}}]}"
+        `shouldBe` Right
+          (RawScene Nothing Nothing [RawPolygon Nothing [] (Material (-1) 0) (Map.fromList [(-7, MaterialOverride Nothing Nothing)])])
+  describe "sceneDocument" $ do
+    prop "readScene file (bytes (sceneDocument raw)) == Right raw" $
+      forAll rawScenes $ \raw ->
+        let bytes = written raw in counterexample (Chars.unpack bytes) (readScene "a" bytes === Right raw)
+    prop "is JSON to aeson" $
+      forAll rawScenes $ \raw ->
+        either (\e -> counterexample e False) (const (property True)) (Aeson.eitherDecodeStrict (written raw) :: Either String Aeson.Value)
+    it "writes a polygon to a line, and no defaults" $
+      fmap written (readScene "a" contract)
+        `shouldBe` Right
+          "{ \"format\": \"viscomplex/1\",\n\
+          \  \"name\": \"two rooms\",\n\
+          \  \"enclosure\": {\"corners\": [[0,0],[10,0],[10,8],[0,8]], \"reflectivity\": 0.7},\n\
+          \  \"polygons\": [\n\
+          \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",2],[1,2],[1,2.5]], \"emission\": 1, \"reflectivity\": 0.5, \"sides\": {\"2\": {\"emission\": 0}}},\n\
+          \    [[4,4],[6,4],[5,6]]\n\
+          \  ] }\n"
+  describe "readSceneFile" $ do
+    it "reads a valid scene" $ withFile' "a.json" contract $ \path -> do
+      outcome <- readSceneFile path
+      fmap cornerCount outcome `shouldBe` Right 10
+    it "reports an invalid scene under the file's name" $ withFile' "a.json" "{\"polygons\": []}" $ \path -> do
+      outcome <- readSceneFile path
+      fmap cornerCount outcome `shouldBe` Left (InvalidScene path EmptyScene :| [])
+    it "reports a missing file" $ withSystemTempDirectory "scenes" $ \dir -> do
+      outcome <- readSceneFile (dir </> "none.json")
+      fmap cornerCount outcome `shouldBe` Left (UnreadableFile (dir </> "none.json") NoSuchFile :| [])
+    it "reports a folder" $ withSystemTempDirectory "scenes" $ \dir -> do
+      outcome <- readSceneFile dir
+      case fmap cornerCount outcome of
+        Left (UnreadableFile path (ReadFailed _) :| []) -> path `shouldBe` dir
+        other -> expectationFailure (show other)
+    it "knows the formats that are not read yet by their endings" $ do
+      wkt <- readSceneFile "a.wkt"
+      fmap cornerCount wkt `shouldBe` Left (UnparseableFile "a.wkt" (FormatNotReadYet Wkt) :| [])
+      geo <- readSceneFile "a.GeoJSON"
+      fmap cornerCount geo `shouldBe` Left (UnparseableFile "a.GeoJSON" (FormatNotReadYet GeoJson) :| [])
+  where
+    polygons = Key Root "polygons"
+    withFile' name bytes act = withSystemTempDirectory "scenes" $ \dir -> do
+      Bytes.writeFile (dir </> name) bytes
+      act (dir </> name)
+
+written :: RawScene -> Bytes.ByteString
+written = Lazy.toStrict . Builder.toLazyByteString . sceneDocument
+
+points :: [(Rational, Rational)] -> [Point]
+points = map (uncurry Point)
+
+contract :: Bytes.ByteString
+contract =
+  "{ \"format\": \"viscomplex/1\", \"name\": \"two rooms\",\n\
+  \  \"enclosure\": {\"corners\": [[0,0],[10,0],[10,8],[0,8]], \"reflectivity\": \"0.7\"},\n\
+  \  \"polygons\": [\n\
+  \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",\"2\"],[1,2],[1,\"2.5\"]], \"emission\": 1, \"reflectivity\": \"1/2\",\n\
+  \     \"sides\": {\"2\": {\"emission\": 0}}},\n\
+  \    [[4,4],[6,4],[5,6]]\n\
+  \  ] }\n"
+
+-- | Scenes as files may state them, most of them not valid.
+rawScenes :: Gen RawScene
+rawScenes = RawScene <$> names <*> perhaps polygon <*> upTo 4 polygon
+  where
+    polygon = RawPolygon <$> names <*> upTo 5 (Point <$> numbers <*> numbers) <*> (Material <$> numbers <*> numbers) <*> overrides
+    overrides = Map.fromList <$> upTo 3 ((,) <$> arbitrary <*> (MaterialOverride <$> perhaps numbers <*> perhaps numbers))
+    names = perhaps (Text.pack <$> listOf (frequency [(5, arbitrary), (5, choose ('a', 'z')), (1, elements "\"\\/\0\n\119070")]))
+    perhaps g = oneof [pure Nothing, Just <$> g]
+    upTo n g = choose (0, n :: Int) >>= \k -> vectorOf k g
+    numbers =
+      oneof
+        [ pure 0
+        , fromInteger <$> arbitrary
+        , arbitrary
+        , (\p k -> p % (10 ^ k)) <$> choose (-10 ^ (25 :: Int), 10 ^ (25 :: Int)) <*> choose (0, 25 :: Int)
+        , (%) <$> choose (-10 ^ (60 :: Int), 10 ^ (60 :: Int)) <*> choose (1, 10 ^ (60 :: Int))
+        ]

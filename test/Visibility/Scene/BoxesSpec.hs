@@ -1,0 +1,42 @@
+module Visibility.Scene.BoxesSpec (spec) where
+
+import Data.List (sort)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck
+import Visibility.Scene.Boxes
+
+spec :: Spec
+spec = modifyMaxSuccess (* 5) $ do
+  prop "foldOverlaps gives each pair that overlaps once" $
+    forAll manyBoxes $ \boxes ->
+      let pairs = foldOverlaps (\found i j -> (min i j, max i j) : found) [] (boxTree boxes)
+          expected = [(i, j) | (i, a) <- zip [0 ..] boxes, (j, b) <- zip [0 ..] boxes, i < j, boxesOverlap a b]
+       in cover 30 (not (null expected)) "some" $ sort pairs === expected
+  prop "boxesOverlap: they share a point" $
+    forAll ((,) <$> box 4 <*> box 4) $ \(a, b) -> boxesOverlap a b === any (`elem` pointsIn b) (pointsIn a)
+  prop "boxContains: every point of the one is in the other" $
+    forAll ((,) <$> box 4 <*> box 2) $ \(a, b) -> boxContains a b === all (`elem` pointsIn a) (pointsIn b)
+  prop "foldBoxes gives the boxes around a box" $
+    forAll ((,) <$> manyBoxes <*> box 20) $ \(boxes, inner) ->
+      sort (foldBoxes (`boxContains` inner) (flip (:)) [] (boxTree boxes))
+        === [i | (i, b) <- zip [0 ..] boxes, b `boxContains` inner]
+  prop "enclosingBox contains all, and is the smallest that does" $
+    forAll (listOf1 (box 9)) $ \boxes ->
+      let Box l r b t = enclosingBox boxes
+       in (l, r, b, t) === (minimum (map boxLeft boxes), maximum (map boxRight boxes), minimum (map boxBottom boxes), maximum (map boxTop boxes))
+  it "a box around nothing overlaps nothing" $
+    boxesOverlap (enclosingBox []) (Box (-1000) 1000 (-1000) 1000) `shouldBe` False
+  where
+    pointsIn (Box l r b t) = [(x, y) | x <- [l .. r], y <- [b .. t]]
+    manyBoxes = do
+      n <- choose (0, 80)
+      width <- elements [3, 20, 200]
+      vectorOf n (box width)
+    box :: Int -> Gen Box
+    box width = do
+      x <- choose (0, width)
+      y <- choose (0, width)
+      w <- choose (0, 4)
+      h <- choose (0, 4)
+      pure (Box x (x + w) y (y + h))

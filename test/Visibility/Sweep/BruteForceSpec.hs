@@ -1,0 +1,52 @@
+module Visibility.Sweep.BruteForceSpec (spec) where
+
+import Data.List (sort)
+import Test.Hspec
+import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Point (..))
+import Visibility.Scene
+import Visibility.Scene.Raw
+import Visibility.Sweep
+import Visibility.Sweep.BruteForce (isElementary)
+import Visibility.Test.Generator
+
+-- | The vertices of a scene of loops, by name.
+found :: [[(Integer, Integer)]] -> [[String]]
+found loops = case sample (RawScene Nothing Nothing [rawPolygon [Point (fromInteger x) (fromInteger y) | (x, y) <- loop] | loop <- loops]) of
+  Just s -> sort [map (cornerText . cornerName (sampleScene s)) (vertexCorners v) | v <- bruteForce (sampleScene s)]
+  Nothing -> []
+
+spec :: Spec
+spec = do
+  describe "brute force, by hand" $ do
+    it "finds a thin wall alone" $
+      found [[(0, 0), (3, 1)]] `shouldBe` [["0.0", "0.1"]]
+    it "finds the sides of a triangle and nothing else" $
+      found [[(0, 0), (2, 0), (0, 2)]] `shouldBe` [["0.0", "0.1"], ["0.0", "0.2"], ["0.2", "0.1"]]
+    it "finds no diagonal inside a polygon, and one across its notch" $
+      found [[(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)]]
+        `shouldBe` [["0.0", "0.1"], ["0.0", "0.4"], ["0.1", "0.2"], ["0.3", "0.2"], ["0.4", "0.2"], ["0.4", "0.3"]]
+    it "sees along a wall past its end, and not through it" $
+      found [[(0, 0), (2, 0)], [(4, 0), (6, 0)], [(3, -1), (3, 1)]]
+        `shouldBe` [ ["0.0", "0.1"]
+                   , ["0.0", "2.0"]
+                   , ["0.0", "2.1"]
+                   , ["0.1", "2.0"]
+                   , ["0.1", "2.1"]
+                   , ["1.0", "1.1"]
+                   , ["2.0", "1.0"]
+                   , ["2.0", "1.1"]
+                   , ["2.0", "2.1"]
+                   , ["2.1", "1.0"]
+                   , ["2.1", "1.1"]
+                   ]
+    it "makes one vertex of three aligned walls" $
+      found [[(0, 0), (1, 0)], [(2, 0), (3, 0)], [(4, 0), (5, 0)]] `shouldBe` [["0.0", "0.1", "1.0", "1.1", "2.0", "2.1"]]
+    it "passes grazing corners on both flanks" $
+      ["0.2", "0.0", "1.0", "2.0"] `elem` found [[(0, 0), (0, -2), (-1, 0)], [(2, 0), (3, 2), (1, 2)], [(4, 0), (5, -2), (6, -1)]] `shouldBe` True
+  describe "an elementary pair" $
+    it "is one of two consecutive corners of a vertex" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+         in sort (concatMap vertexPairs (bruteForce scene))
+              === [(p, q) | p <- corners scene, q <- corners scene, p < q, isElementary scene p q]

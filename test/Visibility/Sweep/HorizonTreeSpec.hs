@@ -1,0 +1,67 @@
+module Visibility.Sweep.HorizonTreeSpec (spec) where
+
+import Data.List (inits, sortBy)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Predicate
+import Visibility.Scene
+import Visibility.Sweep
+import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.Topological (Sweep (..))
+import Visibility.Sweep.Vertical
+import Visibility.Test.Generator
+import Visibility.Test.Ray (Sight (..), shoot)
+
+spec :: Spec
+spec =
+  describe "a horizon tree" $
+    modifyMaxSuccess (* 3) $ do
+      it "leads, in every state, along the unswept pair of least slope" $
+        property $ \(SmallScene s) ->
+          let scene = sampleScene s
+              found = trace scene
+              states = zip (start scene : map snd found) (inits (map fst found))
+           in conjoin
+                [ counterexample (show (length swept, heading, c)) (cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c)
+                | let all' = concatMap vertexPairs (bruteForce scene)
+                , (state, done) <- states
+                , let swept = concatMap vertexPairs done
+                , heading <- [minBound ..]
+                , c <- corners scene
+                ]
+      it "ends with what each corner sees upward" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+              end = finish scene
+           in conjoin
+                [ counterexample (show (heading, c)) (targetOf scene (tree heading end) c `elem` allowed (upward scene heading c))
+                | heading <- [minBound ..]
+                , c <- corners scene
+                ]
+  where
+    tree Rightward = rightTree
+    tree Leftward = leftTree
+    cornerTarget (ToCorner c) = Just c
+    cornerTarget _ = Nothing
+    allowed (Sees (Side side)) = [ToCeiling side]
+    allowed (Sees Sky) = [ToSky]
+    allowed Solid = [NoTarget]
+    -- After the half turn the right-going ray is the one that was the left-going one before it.
+    upward scene Rightward c = shoot scene c (opposed (steep scene c))
+    upward scene Leftward c = shoot scene c (steep scene c)
+    opposed (Direction x y) = Direction (-x) (-y)
+    nextPair scene pairs swept heading c =
+      case sortBy (bySlope scene c) [q | (a, b) <- pairs, (a, b) `notElem` swept, (p, q) <- [if heading == Rightward then (a, b) else (b, a)], p == c] of
+        q : _ -> Just q
+        [] -> Nothing
+    bySlope scene (CornerId c) (CornerId p) (CornerId q) = case turn (scenePoints scene) c p q of
+      LeftTurn -> LT
+      Collinear -> EQ
+      RightTurn -> GT
+
+-- | A direction after -90 degrees, steeper than any line of two corners that is not vertical.
+steep :: Scene -> CornerId -> Direction
+steep scene _ = Direction 1 (-1 - maximum [abs y | p <- corners scene, q <- corners scene, let Direction _ y = between p q])
+  where
+    between (CornerId p) (CornerId q) = direction (scenePoints scene) p q

@@ -1,0 +1,123 @@
+module Visibility.SweepSpec (spec) where
+
+import Data.List (nub, sort, unfoldr)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import qualified Data.Vector.Unboxed as U
+import Test.Hspec hiding (pending)
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Arithmetic (..))
+import Visibility.Exact.Predicate
+import Visibility.Scene
+import Visibility.Scene.Family
+import Visibility.Scene.Raw (RawScene)
+import Visibility.Sweep
+import Visibility.Sweep.Topological (Sweep (..))
+import Visibility.Test.Generator
+import Visibility.Test.Metamorphic
+
+spec :: Spec
+spec = do
+  describe "the vertices" $ do
+    modifyMaxSuccess (* 25) $
+      it "are those of brute force, each once" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+           in sort (vertices scene) === bruteForce scene
+    modifyMaxSuccess (* 4) $ do
+      it "come by strictly increasing directions at each corner" $
+        property $ \(AnyScene s) -> let scene = sampleScene s in outOfOrder scene (vertices scene) === []
+      it "are the same whatever decides the signs, if it is exact" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+           in vertices (underArithmetic Exact scene) === vertices (underArithmetic Filtered scene)
+      it "are the same set whatever order the corners are tried in, each order topological" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+              n = cornerCount scene
+           in forAll (shuffle [0 .. n - 1]) $ \order ->
+                let found = unfoldr (step scene) (start scene) {pending = order}
+                 in (sort found, outOfOrder scene found) === (sort (vertices scene), [])
+      it "are the unfolded steps" $
+        property $ \(LatticeScene s) ->
+          let scene = sampleScene s
+           in vertices scene === unfoldr (step scene) (start scene)
+    it "are the unfolded steps in scenes swept in several pieces" $
+      onFamilies 12 $ \scene -> vertices scene === unfoldr (step scene) (start scene)
+    it "are those of brute force in small scenes of every family" $
+      onFamilies 12 $ \scene -> sort (vertices scene) === bruteForce scene
+  describe "the state" $ do
+    it "counts the pairs swept" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+         in [pairsSwept state | (_, state) <- trace scene]
+              === drop 1 (scanl (\k v -> k + length (vertexPairs v)) 0 (vertices scene))
+    it "at the end is that after the last step, nothing pending" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+            final = foldl (\_ (_, state) -> state) (start scene) (trace scene)
+         in finish scene === final {pending = [], isPending = U.map (const 0) (isPending final)}
+  describe "the graph" $
+    modifyMaxSuccess (* 3) $ do
+      it "keeps under maps that keep lines" $
+        property $ \(AnyScene s) -> changesNothing s (affinity (sampleRaw s))
+      it "changes names only, where only names change" $
+        property $ \(AnyScene s) -> changesNothing s (relabelling (sampleRaw s))
+      it "changes only along a side that is cut by a flat corner" $
+        property $ \(AnyScene s) ->
+          forAll (splitSide (sampleRaw s)) $ maybe (property True) $ \split ->
+            onScene (splitScene split) $ \scene ->
+              let new = graphOf scene
+                  old = renamedGraph (splitNames split) (graphOf (sampleScene s))
+                  CornerName p k = splitCorner split
+                  ends = ordered (CornerName p (k - 1), splitNames split (sideAfter s (splitOld split)))
+                  atNew = Set.filter (\(a, b) -> a == splitCorner split || b == splitCorner split) new
+               in conjoin
+                    [ counterexample "the pair along the side" (ends `Set.member` old)
+                    , Set.difference new atNew === Set.delete ends old
+                    , counterexample "both parts are pairs" (all (`Set.member` new) [ordered (a, splitCorner split) | a <- [fst ends, snd ends]])
+                    ]
+  describe "the work" $ do
+    it "is less than two chain steps per pair and tree, also on aligned corners" $
+      [ (name, cornerCount scene, stepsTaken end, pairsSwept end)
+      | (name, scene) <- alignedScenes
+      , let end = finish scene
+      , stepsTaken end >= 4 * pairsSwept end
+      ]
+        `shouldBe` []
+    it "per pair grows slowly with the scene in every family" $
+      [ (familyName kind, perPair small, perPair large)
+      | kind <- [minBound ..]
+      , Just small <- [familyOf kind 32]
+      , Just large <- [familyOf kind 128]
+      , perPair large > 1.25 * perPair small
+      ]
+        `shouldBe` []
+  where
+    ordered (a, b) = (min a b, max a b)
+    sideAfter s (SideName p k) = CornerName p ((k + 1) `mod` length [() | c <- corners (sampleScene s), CornerName q _ <- [cornerName (sampleScene s) c], q == p])
+    perPair scene = let end = finish scene in fromIntegral (stepsTaken end) / fromIntegral (pairsSwept end) :: Double
+
+-- | The corners at which a list of vertices goes back or stands still.
+outOfOrder :: Scene -> [Vertex] -> [CornerId]
+outOfOrder scene found = [c | (c, ds) <- Map.toList directions, or (zipWith (\d e -> compareDirections d e /= LT) ds (drop 1 ds))]
+  where
+    directions = Map.fromListWith (flip (<>)) [(c, [vertexDirection scene v]) | v <- found, c <- vertexCorners v]
+
+changesNothing :: Sample -> Gen Change -> Property
+changesNothing s change = forAll change $ \c ->
+  onScene (changedScene c) $ \scene -> graphOf scene === renamedGraph (newCorner c) (graphOf (sampleScene s))
+
+onScene :: Testable p => RawScene -> (Scene -> p) -> Property
+onScene raw f = maybe (counterexample ("not valid: " <> sampleText raw) False) (property . f . sampleScene) (sample raw)
+
+familyOf :: Family -> Int -> Maybe Scene
+familyOf kind n = size n >>= \count -> sampleScene <$> sample (family kind count (Seed 1))
+
+onFamilies :: Testable p => Int -> (Scene -> p) -> Property
+onFamilies most f = conjoin [counterexample (show (kind, n)) (f scene) | kind <- [minBound ..], n <- nub [1, 2, 3, most], Just scene <- [familyOf kind n]]
+
+-- | Scenes with as many corners on one line as there are polygons.
+alignedScenes :: [(String, Scene)]
+alignedScenes = []
