@@ -75,7 +75,7 @@ measured scene = do
   _ <- evaluate (cornerCount scene)
   let final = finish scene
       pairs = pairsSwept final
-  steps <- evaluate (stepsTaken final)
+  steps <- evaluate (stepsTaken scene final)
   best <- bestTime scene (length . vertices)
   held <- newIORef scene
   before <- allocated_bytes <$> getRTSStats

@@ -1,7 +1,7 @@
 -- | All that can be wrong with input, its text, and the exit code of each case.
 --
--- A text has the form @FILE: PLACE: WHAT IS WRONG; WHAT WOULD BE RIGHT@. The place is a line and column, a JSON path, or a
--- polygon with its corner or side as the file counts them.
+-- A text has the form @FILE: PLACE: WHAT IS WRONG; WHAT WOULD BE RIGHT@. The place is a line and column, a JSON path,
+-- or a polygon with its corner or side as the file counts them.
 module Visibility.Error
   ( -- * Problems of a file
     Problem (..)
@@ -37,12 +37,11 @@ import Data.Char (isAlpha, isAlphaNum, isAscii, isControl, ord)
 import Data.Foldable (toList)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty)
-import qualified Data.Text as Text
 import Data.Text (Text)
+import qualified Data.Text as Text
 import Numeric (showHex)
-import Visibility.Exact.Point (Point (..))
+import Visibility.Error.Scene
 import Visibility.Format.Number
-import Visibility.Scene.Id
 
 -- | Something wrong with an input file. The path is what the user called it.
 data Problem
@@ -143,60 +142,6 @@ data Wanted
 data Format = GeoJson | Wkt
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | Why a 'Visibility.Scene.Raw.RawScene' is not a valid scene. Of two polygons, the earlier one comes first.
-data SceneError
-  = -- | Neither polygons nor an enclosure.
-    EmptyScene
-  | -- | With the number of corners.
-    TooFewCorners !PolygonId !Int
-  | -- | A corner in the place of an earlier one of the same polygon, the first there.
-    RepeatedCorner !CornerName !Int !Point
-  | -- | Three or more corners, all on a line. Spikes and contacts of the polygon with itself are not named besides.
-    ZeroArea !PolygonId
-  | -- | An angle of 0° or 360°.
-    Spike !CornerName !Point
-  | -- | Corners of two polygons in one place.
-    CornerOnCorner !CornerName !CornerName !Point
-  | -- | A corner on a side, not at its ends, of the same polygon or of another one.
-    CornerOnSide !CornerName !SideName !Point
-  | -- | Two sides of one polygon or of two that cross in a point that is no corner.
-    CrossingSides !SideName !SideName
-  | -- | The first lies inside the second; their boundaries do not meet.
-    NestedPolygon !PolygonId !PolygonId
-  | -- | A polygon outside of the enclosure; their boundaries do not meet.
-    OutsideEnclosure !PolygonId
-  | -- | A side named under @sides@, and the number of sides that there are.
-    NoSuchSide !SideName !Int
-  | BadEmission !MaterialPlace !Rational
-  | BadReflectivity !MaterialPlace !Rational
-  deriving (Eq, Ord, Show)
-
--- | What a material is stated for.
-data MaterialPlace = OfPolygon !PolygonId | OfSide !SideName
-  deriving (Eq, Ord, Show)
-
--- | The polygon, and in it the corner or side, that an error is listed under; nothing for the scene as a whole.
-sceneErrorPlace :: SceneError -> Maybe (PolygonId, Maybe Int)
-sceneErrorPlace problem = case problem of
-  EmptyScene -> Nothing
-  TooFewCorners p _ -> Just (p, Nothing)
-  RepeatedCorner c _ _ -> corner c
-  ZeroArea p -> Just (p, Nothing)
-  Spike c _ -> corner c
-  CornerOnCorner c _ _ -> corner c
-  CornerOnSide c _ _ -> corner c
-  CrossingSides s _ -> side s
-  NestedPolygon p _ -> Just (p, Nothing)
-  OutsideEnclosure p -> Just (p, Nothing)
-  NoSuchSide (SideName p _) _ -> Just (p, Nothing)
-  BadEmission m _ -> material m
-  BadReflectivity m _ -> material m
-  where
-    corner (CornerName p k) = Just (p, Just k)
-    side (SideName p k) = Just (p, Just k)
-    material (OfPolygon p) = Just (p, Nothing)
-    material (OfSide s) = side s
-
 -- | One line without its end.
 errorText :: Problem -> String
 errorText problem = case problem of
@@ -223,7 +168,8 @@ formatText Wkt = "WKT"
 
 syntaxText :: SyntaxFault -> String
 syntaxText fault = case fault of
-  Unexpected found expected -> "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
+  Unexpected found expected ->
+    "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
   UnpairedSurrogate -> "half of a surrogate pair; give both halves, or the character itself"
   InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
@@ -270,7 +216,8 @@ shapeText :: ShapeFault -> String
 shapeText fault = case fault of
   WrongKind found wanted -> "found " <> foundText found <> "; give " <> wantedText wanted
   MissingKey key wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
-  UnknownKey key allowed -> "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
+  UnknownKey key allowed ->
+    "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
   BadNumber found why -> foundText found <> case why of
@@ -318,60 +265,6 @@ shortened :: Text -> Text
 shortened text
   | Text.compareLength text 60 == GT = Text.take 40 text <> Text.pack "..."
   | otherwise = text
-
--- | The text of an error without the file, one line.
-sceneErrorText :: SceneError -> String
-sceneErrorText problem = case problem of
-  EmptyScene -> "the scene is empty; give at least one polygon or an enclosure"
-  TooFewCorners p n ->
-    polygon p <> ": has " <> counted n "corner" <> "; give three or more"
-      <> (if p == Enclosure then "" else ", or two for a thin wall")
-  RepeatedCorner c j at ->
-    corner c <> ": repeats corner " <> show j <> " at " <> point at
-      <> "; give each corner its own place, or leave one of them out"
-  ZeroArea p ->
-    polygon p <> ": all corners lie on one line, so its area is zero; move a corner off the line"
-      <> (if p == Enclosure then "" else ", or give only the two ends for a thin wall")
-  Spike c at ->
-    corner c <> ": is the tip of a spike at " <> point at <> ", where the polygon turns back along its own side"
-      <> "; move the corner or leave it out"
-  CornerOnCorner c d at ->
-    corner c <> ": touches " <> otherCorner d <> " at " <> point at <> "; " <> gap
-  CornerOnSide c@(CornerName p _) s@(SideName q k) at
-    | p == q ->
-        corner c <> ": lies on side " <> show k <> " of the same polygon, at " <> point at
-          <> "; a polygon may not touch itself, move one of them"
-    | otherwise -> corner c <> ": touches " <> otherSide s <> " at " <> point at <> "; " <> gap
-  CrossingSides s@(SideName p _) t@(SideName q k)
-    | p == q ->
-        side s <> ": crosses side " <> show k <> " of the same polygon"
-          <> "; list the corners in order around the polygon"
-    | q == Enclosure -> side s <> ": crosses " <> otherSide t <> "; keep all of the polygon inside the enclosure"
-    | otherwise -> side s <> ": crosses " <> otherSide t <> "; move the polygons apart"
-  NestedPolygon p q ->
-    polygon p <> ": lies inside " <> polygon q <> ", which is solid; move it out, or leave it out"
-  OutsideEnclosure p ->
-    polygon p <> ": lies outside the enclosure; move it inside, or leave it or the enclosure out"
-  NoSuchSide (SideName p k) n ->
-    polygon p <> ": \"sides\" names side " <> show k <> "; "
-      <> (if n == 0 then "it has no sides" else "its sides are 0 to " <> show (n - 1))
-  BadEmission place x -> material place <> ": emission is " <> numberText x <> "; give 0 or more"
-  BadReflectivity place x -> material place <> ": reflectivity is " <> numberText x <> "; give 0 or more, and less than 1"
-  where
-    gap = "contacts are not supported yet, leave a gap"
-    polygon (Obstacle k) = "polygon " <> show k
-    polygon Enclosure = "enclosure"
-    corner (CornerName p k) = polygon p <> ", corner " <> show k
-    side (SideName p k) = polygon p <> ", side " <> show k
-    otherCorner (CornerName p k) = "corner " <> show k <> " of " <> the p
-    otherSide (SideName p k) = "side " <> show k <> " of " <> the p
-    the Enclosure = "the enclosure"
-    the p = polygon p
-    material (OfPolygon p) = polygon p
-    material (OfSide s) = side s
-    point (Point x y) = "(" <> numberText x <> ", " <> numberText y <> ")"
-    counted 1 noun = "1 " <> noun
-    counted n noun = show (n :: Int) <> " " <> noun <> "s"
 
 -- | How a run ends.
 data Outcome

@@ -114,7 +114,8 @@ data PlaceKind = AtPolygon | AtSide
 allKinds :: [Kind]
 allKinds =
   map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KSurrogate, KUtf8, KDeep])
-    <> map Shape (map KWrongKind [minBound .. maxBound] <> [KMissing, KUnknown, KTwice, KSideKey] <> map KNumber [minBound .. maxBound])
+    <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
+    <> map Shape [KMissing, KUnknown, KTwice, KSideKey]
     <> map
       Scene
       ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
@@ -154,7 +155,7 @@ sceneKind :: SceneError -> SceneKind
 sceneKind fault = case fault of
   EmptyScene -> KEmpty
   TooFewCorners _ _ -> KFew
-  RepeatedCorner _ _ _ -> KRepeated
+  RepeatedCorner {} -> KRepeated
   ZeroArea _ -> KZeroArea
   Spike _ _ -> KSpike
   CornerOnCorner (CornerName p _) (CornerName q _) _ -> KCornerOnCorner (whose p q)

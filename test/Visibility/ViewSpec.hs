@@ -24,9 +24,15 @@ spec = do
       it "are maximal: where one follows another at a corner, the view changes, or a thin wall lies in the line" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              walls = [(c, vertexDirection scene v) | v <- vertices scene, any (isWall scene) (vertexPairs v), c <- vertexCorners v]
+              walls = [ (c, vertexDirection scene v)
+                      | v <- vertices scene
+                      , any (isWall scene) (vertexPairs v)
+                      , c <- vertexCorners v
+                      ]
            in conjoin
-                [ counterexample (show (e, f)) (edgeView e /= edgeView f || or [c == edgeCorner e && d `along` edgeTo e | (c, d) <- walls])
+                [ counterexample (show (e, f)) (edgeView e /= edgeView f || or [ c == edgeCorner e && d `along` edgeTo e
+                                                                               | (c, d) <- walls
+                                                                               ])
                 | es <- byCorner (edgesOf scene)
                 , (e, f) <- zip es (drop 1 es)
                 , primitive (edgeTo e) == primitive (edgeFrom f)
@@ -35,16 +41,26 @@ spec = do
     modifyMaxSuccess (* 4) $ do
       it "agree: what a corner sees after a vertex it sees before its next one" $
         property $ \(AnyScene s) ->
-          let histories = Map.fromListWith (flip (<>)) [(c, [(b, a)]) | e <- eventsOf (sampleScene s), (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)]
+          let histories = Map.fromListWith (flip (<>)) [ (c, [(b, a)])
+                                                       | e <- eventsOf (sampleScene s)
+                                                       , (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)
+                                                       ]
            in conjoin [map snd (take (length h - 1) h) === map fst (drop 1 h) | h <- Map.elems histories]
       it "begin and end with the same lines, read the other way" $
         property $ \(AnyScene s) ->
-          let ends = Map.fromListWith joined [(c, (b, a)) | e <- eventsOf (sampleScene s), (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)]
+          let ends = Map.fromListWith joined [ (c, (b, a))
+                                             | e <- eventsOf (sampleScene s)
+                                             , (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)
+                                             ]
               joined (_, final) (first, _) = (first, final)
            in conjoin [readBackwards final === first | (first, final) <- Map.elems ends]
       it "have one view of each corner before and one after" $
         property $ \(AnyScene s) ->
-          conjoin [[length (viewsBefore e), length (viewsAfter e)] === replicate 2 (length (vertexCorners (eventVertex e))) | e <- eventsOf (sampleScene s)]
+          conjoin [ [ length (viewsBefore e)
+                    , length (viewsAfter e)
+                    ] === replicate 2 (length (vertexCorners (eventVertex e)))
+                  | e <- eventsOf (sampleScene s)
+                  ]
       it "meet each face above a curve and below a curve by turns" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
@@ -61,7 +77,10 @@ spec = do
                 [ counterexample (show (eventVertex e, name)) (length above === length below)
                 | e <- eventsOf scene
                 , let faces views = concat (zipWith (incidences scene) (vertexCorners (eventVertex e)) views)
-                , let signed = [(l, f) | Incidence f b a <- faces (viewsBefore e), let l = (b, a)] <> [(l, f) | Incidence f b a <- map crossed (faces (viewsAfter e)), let l = (b, a)]
+                , let signed = [(l, f) | Incidence f b a <- faces (viewsBefore e), let l = (b, a)] <> [ (l, f)
+                                                                                                      | Incidence f b a <- map crossed (faces (viewsAfter e))
+                                                                                                      , let l = (b, a)
+                                                                                                      ]
                 , name <- map (take 1) (group (sort (map fst signed)))
                 , let (above, below) = partition (== Above) [f | (l, f) <- signed, [l] == name]
                 ]
@@ -72,7 +91,11 @@ spec = do
           let scene = sampleScene s
               free v (p, q) =
                 nextCorner scene p /= q && previousCorner scene p /= q
-                  && and [not (enters scene c d) | c <- [p, q], let Direction x y = vertexDirection scene v, d <- [(x, y), (-x, -y)]]
+                  && and [ not (enters scene c d)
+                         | c <- [p, q]
+                         , let Direction x y = vertexDirection scene v
+                         , d <- [(x, y), (-x, -y)]
+                         ]
            in conjoin [freeBitangents scene v === filter (free v) (vertexPairs v) | v <- vertices scene]
   where
     isWall scene (p, q) = isWallCorner scene p && nextCorner scene p == q
@@ -91,7 +114,9 @@ keyOf :: Edge -> (CornerId, Direction, Direction, View)
 keyOf e = (edgeCorner e, primitive (edgeFrom e), primitive (edgeTo e), edgeView e)
 
 byCorner :: [Edge] -> [[Edge]]
-byCorner es = map (sortBy (\e f -> fromDown (edgeFrom e) (edgeFrom f))) (Map.elems (Map.fromListWith (<>) [(edgeCorner e, [e]) | e <- es]))
+byCorner es = map (sortBy (\e f -> fromDown (edgeFrom e) (edgeFrom f))) (Map.elems (Map.fromListWith (<>) [ (edgeCorner e, [e])
+                                                                                                          | e <- es
+                                                                                                          ]))
   where
     fromDown a b
       | a == b = EQ

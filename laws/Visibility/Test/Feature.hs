@@ -65,15 +65,31 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
       VerticalVertex -> any isVertical found
       ParallelVertices -> or [parallel v w | (v, others) <- zip found (drop 1 (tails found)), w <- others]
       InRoom -> surroundings scene == Room
-      NonConvexRoom -> any ((== LeftTurn) . bend) [c | p <- scenePolygons scene, polygonId p == Enclosure, c <- polygonCorners p]
+      NonConvexRoom -> any ((== LeftTurn) . bend) [ c
+                                                  | p <- scenePolygons scene
+                                                  , polygonId p == Enclosure
+                                                  , c <- polygonCorners p
+                                                  ]
       ThinWall -> any (isWallCorner scene) (corners scene)
-      WallInLine -> or [isWallCorner scene c && nextCorner scene c `elem` line | v <- degenerate, let line = vertexCorners v, c <- line]
-      NonConvexObstacle -> any ((== RightTurn) . bend) [c | p <- scenePolygons scene, polygonId p /= Enclosure, c <- polygonCorners p]
+      WallInLine -> or [ isWallCorner scene c && nextCorner scene c `elem` line
+                       | v <- degenerate
+                       , let line = vertexCorners v
+                       , c <- line
+                       ]
+      NonConvexObstacle -> any ((== RightTurn) . bend) [ c
+                                                       | p <- scenePolygons scene
+                                                       , polygonId p /= Enclosure
+                                                       , c <- polygonCorners p
+                                                       ]
       FlatCorner -> or [bend c == Collinear | c <- corners scene, not (isWallCorner scene c)]
       ByMachine -> kernel == "machine"
       ByFilter -> kernel == "filter"
       ByIntegers -> kernel == "filter" && not (null degenerate)
-      Fractions -> any ((/= 1) . denominator) [q | p <- maybe id (:) (rawEnclosure raw) (rawPolygons raw), Point x y <- rawCorners p, q <- [x, y]]
+      Fractions -> any ((/= 1) . denominator) [ q
+                                              | p <- maybe id (:) (rawEnclosure raw) (rawPolygons raw)
+                                              , Point x y <- rawCorners p
+                                              , q <- [x, y]
+                                              ]
       Alone -> length (scenePolygons scene) == 1
     kernel = case pointsKernel points of
       MachineKernel _ -> "machine"
@@ -85,8 +101,8 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
     turnAt (CornerId a) (CornerId b) (CornerId c) = turn points a b c
     onBoth flanks = LeftTurn `elem` flanks && RightTurn `elem` flanks
 
--- | On which flanks of a vertex's line each of its corners has solid: of a tangent corner one, of both ends of a wall on the
--- line, or of corners where the line ends, none.
+-- | On which flanks of a vertex's line each of its corners has solid: of a tangent corner one, of both ends of a wall
+-- on the line, or of corners where the line ends, none.
 flanksOf :: Scene -> Vertex -> [Turn]
 flanksOf scene vertex = concatMap flank line
   where

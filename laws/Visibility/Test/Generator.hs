@@ -111,7 +111,10 @@ instance Arbitrary ConvexScene where
     pure (ConvexScene (kept (map ring loops)))
     where
       points (Box (x, y) w h) = (,) <$> choose (x, x + w) <*> choose (y, y + h)
-  shrink (ConvexScene s) = [ConvexScene t | t <- shrinkSample s, length (rawPolygons (sampleRaw t)) < length (rawPolygons (sampleRaw s))]
+  shrink (ConvexScene s) = [ ConvexScene t
+                           | t <- shrinkSample s
+                           , length (rawPolygons (sampleRaw t)) < length (rawPolygons (sampleRaw s))
+                           ]
 
 instance Arbitrary HardScene where
   arbitrary = HardScene <$> (oneof [latticeScene, gridScene, needleScene] >>= dressed)
@@ -218,7 +221,8 @@ dressed plain = do
 
 -- | Maps every corner and adds what is drawn for it.
 onCorners :: (Point -> Point) -> Sample -> (Point -> Gen (Rational, Rational)) -> Gen RawScene
-onCorners f (Sample raw _) extra = RawScene (rawName raw) <$> traverse polygon (rawEnclosure raw) <*> traverse polygon (rawPolygons raw)
+onCorners f (Sample raw _) extra =
+  RawScene (rawName raw) <$> traverse polygon (rawEnclosure raw) <*> traverse polygon (rawPolygons raw)
   where
     polygon p = (\points -> p {rawCorners = points}) <$> traverse corner (rawCorners p)
     corner point = do

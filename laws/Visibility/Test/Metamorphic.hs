@@ -1,5 +1,5 @@
--- | Changes of a scene that must change nothing but names: maps of raw scenes, each with the new name of every old corner and
--- side, and results in a form that can be compared under them.
+-- | Changes of a scene that must change nothing but names: maps of raw scenes, each with the new name of every old
+-- corner and side, and results in a form that can be compared under them.
 module Visibility.Test.Metamorphic
   ( -- * Changes
     Change (..)
@@ -63,7 +63,8 @@ relabelling :: RawScene -> Gen Change
 relabelling raw = oneof [permutedPolygons raw, rotatedCorners raw, reversedOrientation raw]
 
 onPoints :: String -> (Point -> Point) -> RawScene -> Change
-onPoints text f raw = Change text raw {rawEnclosure = polygon <$> rawEnclosure raw, rawPolygons = map polygon (rawPolygons raw)} id id
+onPoints text f raw =
+  Change text raw {rawEnclosure = polygon <$> rawEnclosure raw, rawPolygons = map polygon (rawPolygons raw)} id id
   where
     polygon p = p {rawCorners = map f (rawCorners p)}
 
@@ -79,10 +80,15 @@ scaledBy raw = do
   pure (onPoints ("scale by " <> show k) (\(Point x y) -> Point (k * x) (k * y)) raw)
 
 turnedByThreeFourFive :: RawScene -> Change
-turnedByThreeFourFive = onPoints "rotate by (3/5, 4/5)" (\(Point x y) -> Point ((3 * x - 4 * y) / 5) ((4 * x + 3 * y) / 5))
+turnedByThreeFourFive =
+  onPoints "rotate by (3/5, 4/5)" (\(Point x y) -> Point ((3 * x - 4 * y) / 5) ((4 * x + 3 * y) / 5))
 
+-- | The two faces of a thin wall change places: its side 0 is the one to the right of the way from corner 0 to corner
+-- 1.
 mirrored :: RawScene -> Change
-mirrored = onPoints "mirror" (\(Point x y) -> Point (negate x) y)
+mirrored raw = (onPoints "mirror" (\(Point x y) -> Point (negate x) y) raw) {newSide = faces}
+  where
+    faces (SideName p k) = SideName p (if countOf raw p == 2 then 1 - k else k)
 
 sheared :: RawScene -> Gen Change
 sheared raw = do
@@ -110,15 +116,19 @@ rotatedCorners raw = do
       index p k = (k - r) `mod` countOf raw p
   pure (onLoops ("rotate corner lists by " <> show r) rotate index index raw)
 
--- | Some polygons the other way round in the file.
+-- | All polygons the other way round in the file. A face of a thin wall is named by the corner from which it is on the
+-- right.
 reversedOrientation :: RawScene -> Gen Change
 reversedOrientation raw =
   pure (onLoops "reverse corner lists" (\p -> p {rawCorners = reverse (rawCorners p)}) corner side raw)
   where
     corner p k = countOf raw p - 1 - k
-    side p k = (countOf raw p - 2 - k) `mod` countOf raw p
+    side p k
+      | countOf raw p == 2 = 1 - k
+      | otherwise = (countOf raw p - 2 - k) `mod` countOf raw p
 
-onLoops :: String -> (RawPolygon -> RawPolygon) -> (PolygonId -> Int -> Int) -> (PolygonId -> Int -> Int) -> RawScene -> Change
+onLoops
+  :: String -> (RawPolygon -> RawPolygon) -> (PolygonId -> Int -> Int) -> (PolygonId -> Int -> Int) -> RawScene -> Change
 onLoops text f corner side raw =
   Change
     { changeText = text
@@ -132,7 +142,8 @@ countOf raw p = case p of
   Enclosure -> maybe 1 (length . rawCorners) (rawEnclosure raw)
   Obstacle i -> maximum (1 : map (length . rawCorners) (take 1 (drop i (rawPolygons raw))))
 
--- | A side cut by a flat corner: the scene with it, the side, its two parts, the new corner, and new names for all else.
+-- | A side cut by a flat corner: the scene with it, the side, its two parts, the new corner, and new names for all
+-- else.
 data Split = Split
   { splitScene :: RawScene
   , splitOld :: SideName
@@ -145,8 +156,8 @@ data Split = Split
 instance Show Split where
   show s = "split " <> sideText (splitOld s)
 
--- | A side of an obstacle with three or more corners, or of the enclosure, cut at a rational point; 'Nothing' if there are only
--- thin walls.
+-- | A side of an obstacle with three or more corners, or of the enclosure, cut at a rational point; 'Nothing' if there
+-- are only thin walls.
 splitSide :: RawScene -> Gen (Maybe Split)
 splitSide raw
   | null choices = pure Nothing
@@ -155,7 +166,9 @@ splitSide raw
       t <- elements [1 / 2, 1 / 3, 4 / 7, 1 / 1000]
       pure (Just (splitAtPoint raw p k (at t)))
   where
-    loops = [(Obstacle i, rawCorners p) | (i, p) <- zip [0 ..] (rawPolygons raw)] <> [(Enclosure, rawCorners p) | Just p <- [rawEnclosure raw]]
+    loops = [ (Obstacle i, rawCorners p)
+            | (i, p) <- zip [0 ..] (rawPolygons raw)
+            ] <> [(Enclosure, rawCorners p) | Just p <- [rawEnclosure raw]]
     choices =
       [ (p, k, \t -> Point (ax + t * (bx - ax)) (ay + t * (by - ay)))
       | (p, loop) <- loops
@@ -183,7 +196,10 @@ splitAtPoint raw p k point =
 type Graph = Set.Set (CornerName, CornerName)
 
 graphOf :: Scene -> Graph
-graphOf scene = Set.fromList [inOrder (cornerName scene p) (cornerName scene q) | v <- vertices scene, (p, q) <- vertexPairs v]
+graphOf scene = Set.fromList [ inOrder (cornerName scene p) (cornerName scene q)
+                             | v <- vertices scene
+                             , (p, q) <- vertexPairs v
+                             ]
 
 renamedGraph :: (CornerName -> CornerName) -> Graph -> Graph
 renamedGraph f = Set.map (\(p, q) -> inOrder (f p) (f q))

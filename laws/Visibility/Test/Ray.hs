@@ -63,8 +63,8 @@ viewAt scene c d@(Direction dx dy) = case (shoot scene c (Direction (-dx) (-dy))
     Vector2 nx ny = cornerAt scene (nextCorner scene c)
     flank = if dx * (ny - cy) - dy * (nx - cx) > 0 then Above else Below
 
--- | All edges by brute force: each corner's vertices cut the half turn into intervals, and one ray each way tells the view
--- in each.
+-- | All edges by brute force: each corner's vertices cut the half turn into intervals, and one ray each way tells the
+-- view in each.
 --
 -- /Cost/ O(n³).
 edgesByRays :: Scene -> [Edge]
@@ -80,7 +80,10 @@ edgesByRays scene =
   where
     found = bruteForce scene
     -- Towards every other corner, seen or not.
-    linesThrough c = [direction (scenePoints scene) (min (index c) (index q)) (max (index c) (index q)) | q <- corners scene, q /= c]
+    linesThrough c = [ direction (scenePoints scene) (min (index c) (index q)) (max (index c) (index q))
+                     | q <- corners scene
+                     , q /= c
+                     ]
     index (CornerId k) = k
     firstAfter from = minimumBy compareDirections . filter (from `earlier`)
     earlier (Direction 0 (-1)) _ = True

@@ -36,8 +36,8 @@ shape most box =
     , (3, hull <$> vectorOf (max 3 most) (inBox box))
     , (2, triangle)
     , (2, rectangle box)
-    , (1, angle box)
-    , (2, choose (4, max 4 most) >>= \k -> untangled . nub <$> vectorOf k (inBox box))
+    , (2, angle box)
+    , (3, choose (4, max 4 most) >>= \k -> untangled . nub <$> vectorOf k (inBox box))
     , (1, rectangle box >>= withFlatCorners)
     , (1, hull <$> vectorOf 5 (inBox box) >>= withFlatCorners)
     ]
@@ -126,7 +126,7 @@ hull points = case nub (sort points) of
   (a : b : rest) -> chain (a : b : rest) <> chain (reverse (a : b : rest))
   few -> few
   where
-    chain = drop 1 . foldl add []
+    chain = reverse . drop 1 . foldl add []
     add (b : a : done) c | cross a b c <= 0 = add (a : done) c
     add done c = c : done
 

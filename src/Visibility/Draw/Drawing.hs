@@ -1,7 +1,7 @@
 -- | Figures as values: a list of marks in named layers, which no drawing library has seen.
 --
--- Figures are made and tested as such lists; "Visibility.Draw.Render" turns them into SVG. A mark says what it stands for and what it means, not how it looks.
--- Places are in pixels, (0, 0) at the lower left, y upwards.
+-- Figures are made and tested as such lists; "Visibility.Draw.Render" turns them into SVG. A mark says what it stands
+-- for and what it means, not how it looks. Places are in pixels, (0, 0) at the lower left, y upwards.
 module Visibility.Draw.Drawing
   ( -- * Drawings
     Drawing (..)
@@ -10,6 +10,7 @@ module Visibility.Draw.Drawing
   , densityOf
   , byDensity
   , Mark (..)
+  , plain
   , Shape (..)
   , Anchor (..)
   , Style (..)
@@ -95,6 +96,10 @@ data Shape
 -- | Which part of a text is at its place.
 data Anchor = StartAnchor | MiddleAnchor | EndAnchor
   deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | A mark that belongs to the figure itself.
+plain :: Style -> Shape -> Mark
+plain = Mark Text.empty
 
 -- | What a mark means. How it looks is decided in "Visibility.Draw.Render" alone.
 data Style
@@ -223,7 +228,7 @@ strokeWidth density style = case style of
   Opaque -> by 1.2 0.9 0.4 0.2
   RoomWall -> by 2 1.6 1.2 1
   ThinWall -> by 2.6 2 1.2 0.8
-  Bitangent -> by 0.7 0.35 0.12 0.03
+  Bitangent -> by 0.7 0.35 0.2 0.2
   LightRim -> by 5.4 4.2 3 1.6
   LightSource -> by 3 2.4 1.6 0.8
   LightRay -> by 0.9 0.7 0.4 0.2
@@ -258,9 +263,10 @@ labelCollisions drawing =
     <> [ LabelOnLine a (markName mark)
        | layer <- drawingLayers drawing
        , mark <- layerMarks layer
-       , segments@(_ : _) <- [strokes mark]
-       , (a, box) <- texts
        , let around = strokeWidth (layerDensity layer) (markStyle mark) / 2
+       , let segments = strokes mark
+       , not (null segments)
+       , (a, box) <- texts
        , any (segmentMeetsBox (widened around box)) segments
        ]
     <> [ LabelOnDot a name

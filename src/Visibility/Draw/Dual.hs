@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The figure of the dual: every line is a point, every corner a curve.
 --
 -- A line with direction angle θ and offset u is the point (θ, u); the lines through a corner (x, y) are the curve
@@ -15,6 +17,7 @@ module Visibility.Draw.Dual
   ) where
 
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
 import qualified Data.Text as Text
 import qualified Data.Vector.Unboxed as U
@@ -31,14 +34,15 @@ import Visibility.View
 
 -- | The dual of a scene: θ from −90° to 90° to the right, u in the file's units upwards.
 --
--- Layers, from the bottom: @frame@ with ticks; @ending@ and @tangent@, a curve per edge, named by its corner; @vertices@, dots named by
--- their corners; @leaders@, @labels@ of up to 24 corners; @legend@. An edge is drawn in two curves where the half turn cuts it.
+-- Layers, from the bottom: @frame@ with ticks; @ending@ and @tangent@, a curve per edge, named by its corner;
+-- @vertices@, dots named by their corners; @leaders@, @labels@ of up to 24 corners; @legend@. An edge is drawn in two
+-- curves where the half turn cuts it.
 --
--- Where the file's origin is far from the scene, u is measured from a round point in the scene, which the figure names: otherwise
--- all curves would run into one.
+-- Where the file's origin is far from the scene, u is measured from a round point in the scene, which the figure
+-- names: otherwise all curves would run into one.
 --
--- /Degenerate cases/ a vertical vertex, at 90°, is also drawn at −90°, where u has the other sign. Vertices of three or more corners
--- are drawn larger and hollow.
+-- /Degenerate cases/ a vertical vertex, at 90°, is also drawn at −90°, where u has the other sign. Vertices of three
+-- or more corners are drawn larger and hollow.
 --
 -- /Requires/ all events of the scene in the order of the stream. /Cost/ O(m log m), besides labels.
 --
@@ -48,23 +52,25 @@ dualDrawing scene stream =
   Drawing
     { drawingTitle = title
     , drawingDescription =
-        Text.pack "The visibility complex in the dual, angle θ against offset u: " <> Text.intercalate (Text.pack ", ") facts <> Text.pack "."
+        "The visibility complex in the dual, angle θ against offset u: "
+          <> Text.intercalate ", " (facts <> origin)
+          <> "."
     , drawingWidth = canvasWidth
     , drawingHeight = canvasHeight
     , drawingLayers =
         filter
           (not . null . layerMarks)
-          [ Layer (Text.pack "frame") Sparse axes
-          , Layer (Text.pack "ending") curveDensity (map curveMark ending)
-          , Layer (Text.pack "tangent") curveDensity (map curveMark tangent)
-          , Layer (Text.pack "vertices") dotDensity dots
-          , Layer (Text.pack "leaders") Sparse leaders
-          , Layer (Text.pack "labels") Sparse labels
-          , Layer (Text.pack "legend") Sparse (titleMark : legendMarks <> captions)
+          [ Layer "frame" Sparse axes
+          , Layer "ending" curveDensity (map curveMark ending)
+          , Layer "tangent" curveDensity (map curveMark tangent)
+          , Layer "vertices" dotDensity dots
+          , Layer "leaders" Sparse leaders
+          , Layer "labels" Sparse labels
+          , Layer "legend" Sparse (titleMark : legendMarks <> captions)
           ]
     }
   where
-    title = Text.pack "Dual of " <> maybe (Text.pack "an untitled scene") id (sceneTitle scene)
+    title = "Dual of " <> fromMaybe "an untitled scene" (sceneTitle scene)
     frame = frameFor scene stream
     allEdges = edges scene stream
     ending = [edge | edge <- allEdges, isEnding (edgeView edge)]
@@ -84,10 +90,10 @@ dualDrawing scene stream =
       | otherwise = ([], [], [])
     request c =
       Request name CornerLabel name $
-        [ Seat (onCanvas frame (theta, heightAt frame c theta)) (slope + turned)
+        [ Seat (onCanvas frame (theta, heightAt frame c theta)) (slope + turned) (pi / 4)
         | edge <- allEdges
         , edgeCorner edge == c
-        , theta <- samples 4 edge
+        , theta <- samples 6 edge
         , let slope = atan (slopeOnCanvas frame c theta)
         , turned <- [pi / 2, -pi / 2]
         ]
@@ -99,30 +105,38 @@ dualDrawing scene stream =
         { canvas = Box (left + 2) (bottom + 2) (right - 2) (top - 2)
         , lightLines = map (Line 0.6) (concatMap (strokes . curveMark) allEdges <> concatMap strokes axes)
         , walls = []
-        , taken = [Box (x - r) (y - r) (x + r) (y + r) | Mark _ style (Dot (Place x y)) <- dots, let r = dotRadius dotDensity style]
+        , taken = [widened (dotRadius dotDensity style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- dots]
         , clearance = 2.5
         }
 
     counts = count scene stream
-    titleMark = Mark Text.empty FigureTitle (Label StartAnchor (Place left (canvasHeight - 26)) (shortened FigureTitle (right - left) title))
+    titleMark =
+      plain FigureTitle $
+        Label StartAnchor (Place left (canvasHeight - 26)) (shortened FigureTitle (right - left) title)
     legendMarks = legend left legendTop (right - left) entries
     legendTop = bottom - 44
     entries =
-      [Entry (lineSwatch [TangentCurve]) (Text.pack "tangent at the corner") | not (null tangent)]
-        <> [Entry (lineSwatch [EndingCurve]) (Text.pack "ending at the corner") | not (null ending)]
-        <> [Entry (dotSwatch VertexDot) (Text.pack "vertex") | any ((== VertexDot) . markStyle) dots]
-        <> [Entry (dotSwatch DegenerateVertexDot) (Text.pack "degenerate vertex") | any ((== DegenerateVertexDot) . markStyle) dots]
-    captions = captionLines left (legendTop - legendHeight (right - left) entries - 15) (right - left) (facts <> notes)
+      [Entry (lineSwatch [TangentCurve]) "tangent at the corner" | not (null tangent)]
+        <> [Entry (lineSwatch [EndingCurve]) "ending at the corner" | not (null ending)]
+        <> [Entry (dotSwatch VertexDot) "vertex" | any ((== VertexDot) . markStyle) dots]
+        <> [ Entry (dotSwatch DegenerateVertexDot) "degenerate vertex"
+           | any ((== DegenerateVertexDot) . markStyle) dots
+           ]
+    captions =
+      captionLines left (legendTop - legendHeight (right - left) entries - 15) (right - left) $
+        facts <> missing <> map (shortened Caption (right - left)) origin
     facts =
       [ counted (cornerCount scene) "corner" "corners"
-      , counted (vertexCount counts) "vertex" "vertices"
-          <> (if degenerateCount counts > 0 then Text.pack (" (" <> show (degenerateCount counts) <> " degenerate)") else Text.empty)
+      , countedVertices (vertexCount counts) (degenerateCount counts)
       , counted (edgeCount counts) "edge" "edges"
       , counted (faceCount counts) "face" "faces"
       ]
-    notes =
-      [counted (length unlabelled) "corner without room for its label" "corners without room for their labels" | not (null unlabelled)]
-        <> [Text.pack "u measured from (" <> decimalText x <> Text.pack "; " <> decimalText y <> Text.pack ")" | Point x y <- [frameOrigin frame], (x, y) /= (0, 0)]
+    missing = countedUnlabelled unlabelled
+    origin =
+      [ "u measured from (" <> decimalText x <> "; " <> decimalText y <> ")"
+      | Point x y <- [frameOrigin frame]
+      , (x, y) /= (0, 0)
+      ]
 
 isEnding :: View -> Bool
 isEnding (Ending _ _) = True
@@ -135,8 +149,8 @@ canvasHeight = 580
 plot :: Box
 plot = Box 84 112 780 532
 
--- | The coordinates of the figure. Offsets are Doubles in 'frameUnit's, measured from 'frameOrigin', so that they are accurate wherever
--- the scene lies; angles are in radians.
+-- | The coordinates of the figure. Offsets are Doubles in 'frameUnit's, measured from 'frameOrigin', so that they are
+-- accurate wherever the scene lies; angles are in radians.
 data Frame = Frame
   { frameOrigin :: !Point
   -- ^ The point that offsets are measured from: the file's origin unless that is far away.
@@ -164,7 +178,8 @@ frameFor scene stream = unfitted {frameLow = low - margin, frameHigh = high + ma
       Frame
         { frameOrigin = origin
         , frameUnit = unit
-        , frameCorners = U.fromList [(fromRational ((x - ox) / unit), fromRational ((y - oy) / unit)) | Point x y <- points]
+        , frameCorners =
+            U.fromList [(fromRational ((x - ox) / unit), fromRational ((y - oy) / unit)) | Point x y <- points]
         , frameLow = -1
         , frameHigh = 1
         }
@@ -177,14 +192,18 @@ data Range = Range !Double !Double
 -- | The place of (θ, u).
 onCanvas :: Frame -> (Double, Double) -> Place
 onCanvas frame (theta, u) =
-  Place (left + (right - left) * (theta / pi + 0.5)) (bottom + (top - bottom) * (u - frameLow frame) / (frameHigh frame - frameLow frame))
+  Place
+    (left + (right - left) * (theta / pi + 0.5))
+    (bottom + (top - bottom) * (u - frameLow frame) / (frameHigh frame - frameLow frame))
   where
     Box left bottom right top = plot
 
 -- | (θ, u) of a place: undoes 'onCanvas', up to rounding.
 offCanvas :: Frame -> Place -> (Double, Double)
 offCanvas frame (Place x y) =
-  (pi * ((x - left) / (right - left) - 0.5), frameLow frame + (frameHigh frame - frameLow frame) * (y - bottom) / (top - bottom))
+  ( pi * ((x - left) / (right - left) - 0.5)
+  , frameLow frame + (frameHigh frame - frameLow frame) * (y - bottom) / (top - bottom)
+  )
   where
     Box left bottom right top = plot
 
@@ -201,7 +220,8 @@ slopeOnCanvas frame c theta = (y1 - y0) / (x1 - x0)
     Place x0 y0 = onCanvas frame (theta - 1e-4, heightAt frame c (theta - 1e-4))
     Place x1 y1 = onCanvas frame (theta + 1e-4, heightAt frame c (theta + 1e-4))
 
--- | The points of an edge's curve that are drawn. Between two of them the curve is off its chord by less than a tenth of a pixel.
+-- | The points of an edge's curve that are drawn. Between two of them the curve is off its chord by less than a tenth
+-- of a pixel.
 edgeSamples :: Frame -> Edge -> [(Double, Double)]
 edgeSamples frame edge = [(theta, heightAt frame (edgeCorner edge) theta) | theta <- from : samples 2 edge <> [to]]
   where
@@ -241,27 +261,31 @@ dotMarks scene frame event = [Mark name style (Dot (onCanvas frame at)) | at <- 
 -- | The frame, ticks every 15°, at round values of u, and the line u = 0.
 axisMarks :: Frame -> [Mark]
 axisMarks frame =
-  [Mark Text.empty Reference (Polyline [Place left y, Place right y]) | frameLow frame < 0, frameHigh frame > 0, let Place _ y = onCanvas frame (0, 0)]
+  [ plain Reference (Polyline [Place left y, Place right y])
+  | frameLow frame < 0
+  , frameHigh frame > 0
+  , let Place _ y = onCanvas frame (0, 0)
+  ]
     <> concatMap angleTick [-90, -75 .. 90]
     <> concatMap offsetTick (multiplesWithin step low high)
-    <> [ Mark Text.empty Axis (Polyline [Place left bottom, Place right bottom, Place right top, Place left top, Place left bottom])
-       , Mark Text.empty AxisTitle (Label MiddleAnchor (Place ((left + right) / 2) (bottom - 36)) (Text.pack "θ"))
-       , Mark Text.empty AxisTitle (Label EndAnchor (Place (left - 9) (top + 10)) (Text.pack "u"))
+    <> [ plain Axis (Polyline (map (uncurry Place) [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]))
+       , plain AxisTitle (Label MiddleAnchor (Place ((left + right) / 2) (bottom - 36)) "θ")
+       , plain AxisTitle (Label EndAnchor (Place (left - 9) (top + 10)) "u")
        ]
   where
     Box left bottom right top = plot
     angleTick :: Int -> [Mark]
     angleTick degrees =
-      Mark Text.empty Tick (Polyline [Place x bottom, Place x (bottom - (if isLabelled then 6 else 3))])
-        : [Mark Text.empty TickLabel (Label MiddleAnchor (Place x (bottom - 19)) (decimalText (toInteger degrees % 1) <> Text.pack "°")) | isLabelled]
+      plain Tick (Polyline [Place x bottom, Place x (bottom - (if isLabelled then 6 else 3))])
+        : [plain TickLabel (Label MiddleAnchor (Place x (bottom - 19)) (decimalText (toInteger degrees % 1) <> "°")) | isLabelled]
       where
         isLabelled = degrees `rem` 30 == 0
         Place x _ = onCanvas frame (fromIntegral degrees * pi / 180, 0)
     (low, high) = (toRational (frameLow frame) * frameUnit frame, toRational (frameHigh frame) * frameUnit frame)
     step = roundStep ((high - low) / 5)
     offsetTick value =
-      [ Mark Text.empty Tick (Polyline [Place (left - 6) y, Place left y])
-      , Mark Text.empty TickLabel (Label EndAnchor (Place (left - 9) (y - 0.36 * textSize TickLabel)) (decimalText value))
+      [ plain Tick (Polyline [Place (left - 6) y, Place left y])
+      , plain TickLabel (Label EndAnchor (Place (left - 9) (y - 0.36 * textSize TickLabel)) (decimalText value))
       ]
       where
         Place _ y = onCanvas frame (0, fromRational (value / frameUnit frame))

@@ -1,8 +1,8 @@
 -- | Places for labels where they cover nothing.
 --
--- Each label tries positions around its points, near ones first, and takes the best of those where it lies on no line, outline, dot
--- or other label. Farther ones get a thin leader. A label for which there is no such position is left out and returned,
--- so that the figure can say so.
+-- Each label tries positions around its points, near ones first, and takes the best of those where it lies on no line,
+-- outline, dot or other label. Farther ones get a thin leader. A label for which there is no such position is left out
+-- and returned, so that the figure can say so.
 module Visibility.Draw.Labels
   ( -- * What is in the way
     Obstruction (..)
@@ -43,13 +43,14 @@ data Request = Request
   , requestSeats :: ![Seat]
   }
 
--- | A point that a label may belong to, with the direction (radians) in which it had best lie.
-data Seat = Seat !Place !Double
+-- | A point that a label may belong to, the direction (radians) in which it had best lie, and how far it may turn away
+-- from that.
+data Seat = Seat !Place !Double !Double
 
 -- | The marks of the labels and of their leaders, and the requests that found no place.
 --
--- The labels with the least choice choose first. /Cost/ O(k·s) for k candidate positions and s segments, s counting only those
--- within reach of a label.
+-- The labels with the least choice choose first. /Cost/ O(k·s) for k candidate positions and s segments, s counting
+-- only those within reach of a label.
 placeLabels :: Obstruction -> [Request] -> ([Mark], [Mark], [Request])
 placeLabels start requests = go start ordered
   where
@@ -97,15 +98,17 @@ choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap rin
   where
     (near, far) = span (<= 10) rings
     -- What is around a seat is looked up once for several rings.
-    ringsTogether radii = map (onRing [(seat, within (maximum radii) request place scenery) | seat@(Seat place _) <- requestSeats request]) radii
+    ringsTogether radii =
+      let seats = [(seat, within (maximum radii) request place scenery) | seat@(Seat place _ _) <- requestSeats request]
+       in map (onRing seats) radii
     onRing seats r =
       [ (cost, candidate)
-      | (Seat place preferred, around) <- seats
-      , k <- [0 .. 31 :: Int]
-      , let angle = preferred + fromIntegral (if even k then k else negate (k + 1)) * pi / 32
-      , Just (cost, candidate) <- [tried around place preferred r angle]
+      | (Seat place preferred most, around) <- seats
+      , turned <- takeWhile ((<= most + 1e-9) . abs) turns
+      , Just (cost, candidate) <- [tried around place r (preferred + turned) (abs turned)]
       ]
-    tried around at@(Place x y) preferred r angle
+    turns = [fromIntegral (if even k then k else negate (k + 1)) * pi / 32 | k <- [0 .. 31 :: Int]]
+    tried around at@(Place x y) r angle turned
       | blocked = Nothing
       | otherwise = Just (cost, Candidate (Mark (requestName request) style (Label MiddleAnchor base text)) box leader)
       where
@@ -126,6 +129,7 @@ choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap rin
         leader = if r >= 6 then Just (at, end) else Nothing
         -- A leader that runs along a line is not seen.
         halfway = let Place ex ey = end in widened 2.5 (Box ((x + ex) / 2) ((y + ey) / 2) ((x + ex) / 2) ((y + ey) / 2))
+        leaderOver = or [segmentMeetsBox box' (at, end) | box' <- map (widened 0.8) (taken around), not (holds at box')]
         leaderHidden = any (meets halfway) (walls around)
         crossed = length [() | Line _ segment <- lightLines around, crosses (at, end) segment]
         blocked =
@@ -134,11 +138,12 @@ choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap rin
             || any (meets roomy) (lightLines around)
             || any (boxesMeet roomy) (taken around)
             || or [crosses (at, middle) segment | Line _ segment <- walls around]
-            || (r >= 6 && (leaderHidden || any (`segmentMeetsBox` (at, end)) (filter (not . holds at) (map (widened 0.8) (taken around)))))
-        turned = abs (angle - preferred)
+            || (r >= 6 && (leaderHidden || leaderOver))
         -- Next to other things it is less clear what a label belongs to.
-        neighbours = length (filter (meets (widened 7 box)) (lightLines around)) + length (filter (boxesMeet (widened 7 box)) (taken around))
-        cost = turned * 4 + fromIntegral (3 * crossed + neighbours + (if r >= 6 then 3 * length (filter (meets halfway) (lightLines around)) else 0)) :: Double
+        neighbours = having (meets (widened 7 box)) (lightLines around) + having (boxesMeet (widened 7 box)) (taken around)
+        overlaid = if r >= 6 then having (meets halfway) (lightLines around) else 0
+        cost = turned * 4 + fromIntegral (3 * crossed + neighbours + 3 * overlaid) :: Double
+    having test = length . filter test
     holds (Place x y) (Box l b r t) = l <= x && x <= r && b <= y && y <= t
 
 meets :: Box -> Line -> Bool
@@ -167,7 +172,8 @@ labelInside inTheWay name style texts outline = case [mark | text <- texts, Just
     spots =
       sortOn
         (\(x, y) -> (x - cx) ^ (2 :: Int) + (y - cy) ^ (2 :: Int))
-        ((cx, cy) : [(minimum xs + (maximum xs - minimum xs) * i / 12, minimum ys + (maximum ys - minimum ys) * j / 12) | i <- [1 .. 11], j <- [1 .. 11]])
+        ((cx, cy) : [(part i xs, part j ys) | i <- [1 .. 11], j <- [1 .. 11]])
+    part i values = minimum values + (maximum values - minimum values) * i / 12
     fitted text = case filter fits [(label, box) | (x, y) <- spots, let (label, box) = at text x y] of
       ((label, _) : _) -> Just (Mark name style label)
       [] -> Nothing

@@ -23,17 +23,17 @@ data Entry = Entry
 
 -- | A piece of line in some styles, the later above.
 lineSwatch :: [Style] -> Box -> [Mark]
-lineSwatch styles (Box l b r t) = [Mark Text.empty style (Polyline [Place l y, Place r y]) | style <- styles]
+lineSwatch styles (Box l b r t) = [plain style (Polyline [Place l y, Place r y]) | style <- styles]
   where
     y = (b + t) / 2
 
 -- | A filled rectangle.
 regionSwatch :: Style -> Box -> [Mark]
-regionSwatch style (Box l b r t) = [Mark Text.empty style (Region [Place l b, Place r b, Place r t, Place l t])]
+regionSwatch style (Box l b r t) = [plain style (Region [Place l b, Place r b, Place r t, Place l t])]
 
 -- | A dot.
 dotSwatch :: Style -> Box -> [Mark]
-dotSwatch style (Box l b r t) = [Mark Text.empty style (Dot (Place ((l + r) / 2) ((b + t) / 2)))]
+dotSwatch style (Box l b r t) = [plain style (Dot (Place ((l + r) / 2) ((b + t) / 2)))]
 
 -- | The height of a row, in pixels.
 rowHeight :: Double
@@ -59,7 +59,9 @@ legend left top width entries =
   where
     entryMarks x y (Entry swatch text) =
       swatch (Box x (y - 4.5) (x + swatchWidth) (y + 4.5))
-        <> [Mark Text.empty Caption (Label StartAnchor (Place (x + swatchWidth + swatchGap) (y - 0.36 * textSize Caption)) text)]
+        <> [ plain Caption $
+               Label StartAnchor (Place (x + swatchWidth + swatchGap) (y - 0.36 * textSize Caption)) text
+           ]
 
 advance :: Entry -> Double
 advance entry = swatchWidth + swatchGap + textWidth Caption (entryText entry) + entryGap
@@ -77,7 +79,7 @@ rows width (entry : entries) = go (advance entry) [entry] entries
 -- | Texts joined by commas to lines that fit a width; the base line of the first line, and the rest below.
 captionLines :: Double -> Double -> Double -> [Text] -> [Mark]
 captionLines left base width parts =
-  [ Mark Text.empty Caption (Label StartAnchor (Place left (base - rowHeight * k)) line)
+  [ plain Caption (Label StartAnchor (Place left (base - rowHeight * k)) line)
   | (k, line) <- zip [0 ..] (filled parts)
   ]
   where

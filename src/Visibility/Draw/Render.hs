@@ -3,65 +3,66 @@
 
 -- | The one place that knows a drawing library: drawings become SVG by diagrams.
 --
--- All that concerns looks is here. Styles differ in lightness, width and dashes, not in hue alone, so that figures can be
--- read in shades of grey.
+-- All that concerns looks is here. Styles differ in lightness, width and dashes, not in hue alone, so that figures can
+-- be read in shades of grey.
 module Visibility.Draw.Render
   ( renderSvg
   ) where
 
-import Data.ByteString.Builder (lazyByteString, toLazyByteString)
 import Data.ByteString.Lazy (ByteString)
-import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (groupBy)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Text.Encoding (encodeUtf8Builder)
 import Diagrams.Backend.SVG
-import Diagrams.Prelude hiding (Style, element, height, place, solid, stroke, text, thin, width)
-import Graphics.Svg (Element, renderBS, style_, toElement)
+import Diagrams.Prelude hiding (Style, height, place, solid, stroke, text, thin, width, with)
+import Graphics.Svg (Element, desc_, g_, makeAttribute, renderBS, style_, svg11_, title_, toElement, with)
+import Numeric (showFFloat)
 import Visibility.Draw.Drawing
 
--- | The SVG of a drawing: as many user units as the drawing has pixels, a white ground, each layer a group whose class is the layer's name,
--- title and description as elements.
+-- | The SVG of a drawing: as many user units as the drawing has pixels, a white ground, each layer a @g@ whose class
+-- is the layer's name, title and description as elements.
 --
--- /Shape/ coordinates are rounded to 4 decimals of a pixel. Neighbouring marks of a layer that look the same share a path.
+-- /Shape/ coordinates are rounded to 4 decimals of a pixel. Neighbouring marks of a layer that look the same share a
+-- path. The library writes whole documents and no named groups, so a layer is a document within its group.
 --
 -- /Laws/ a function of the drawing, byte for byte; well-formed XML.
 renderSvg :: Drawing -> ByteString
-renderSvg drawing = described drawing (renderBS (renderDia SVG options picture))
+renderSvg drawing =
+  renderBS . flip with attributes . svg11_ $
+    title_ [] (toElement (printable (drawingTitle drawing)))
+      <> desc_ [] (toElement (printable (drawingDescription drawing)))
+      <> style_ [] (toElement styleSheet)
+      <> document (rect width height # moveTo (p2 (width / 2, height / 2)) # fc white # lw none)
+      <> foldMap layerGroup (drawingLayers drawing)
   where
-    options = SVGOptions (dims2D width height) (Just styleSheet) "viscomplex" [] False
+    layerGroup layer = g_ [makeAttribute "class" (layerName layer)] (document (layerPicture layer))
     (width, height) = (drawingWidth drawing, drawingHeight drawing)
-    ground = rect width height # moveTo (p2 (width / 2, height / 2)) # fc white # lw none
-    picture =
-      (mconcat (reverse (ground : map layerPicture (drawingLayers drawing))) :: Diagram SVG)
-        # withEnvelope (rect width height # moveTo (p2 (width / 2, height / 2)) :: Diagram SVG)
+    attributes =
+      [ makeAttribute "role" "img"
+      , makeAttribute "width" (pixels width)
+      , makeAttribute "height" (pixels height)
+      , makeAttribute "viewBox" ("0 0 " <> pixels width <> " " <> pixels height)
+      ]
+    pixels x = Text.pack (showFFloat (Just 2) x "")
+    document :: Diagram SVG -> Element
+    document picture =
+      renderDia SVG (SVGOptions (dims2D width height) Nothing "" [] False) $
+        picture # withEnvelope (rect width height # moveTo (p2 (width / 2, height / 2)) :: Diagram SVG)
 
--- | The backend states a dominant base line, which viewers treat differently; texts here stand on their alphabetic base line.
-styleSheet :: Element
-styleSheet = style_ [] (toElement ("text{dominant-baseline:alphabetic}" :: Text))
+-- | The backend states a dominant base line, which viewers treat differently; texts here stand on their alphabetic
+-- base line.
+styleSheet :: Text
+styleSheet = "text{dominant-baseline:alphabetic}"
 
--- | Puts title and description where readers look for them: first in the root element. No attribute of the root holds a @>@.
-described :: Drawing -> ByteString -> ByteString
-described drawing svg = root <> ">" <> element "title" (drawingTitle drawing) <> element "desc" (drawingDescription drawing) <> Lazy.drop 1 rest
-  where
-    (root, rest) = Lazy.break (== '>') svg
-    element name text =
-      toLazyByteString
-        ("<" <> lazyByteString name <> ">" <> encodeUtf8Builder (escaped text) <> "</" <> lazyByteString name <> ">")
-    escaped = Text.concatMap safe . Text.filter printable
-    safe '<' = "&lt;"
-    safe '>' = "&gt;"
-    safe '&' = "&amp;"
-    safe c = Text.singleton c
-    -- XML has no way to write the other control characters.
-    printable c = c >= ' ' && c /= '\xFFFE' && c /= '\xFFFF'
+-- | XML has no way to write the other characters.
+printable :: Text -> Text
+printable = Text.filter (\c -> c >= ' ' && c /= '\xFFFE' && c /= '\xFFFF')
 
 layerPicture :: Layer -> Diagram SVG
-layerPicture (Layer name density marks) = svgClass (Text.unpack name) (mconcat (reverse (map (piece density) (shared marks))))
+layerPicture (Layer _ density marks) = mconcat (reverse (map (piece density) (shared marks)))
 
--- | Neighbours that may be drawn as one path: same style, same kind of shape, no text. Pieces stay short, since viewers are slow at
--- long paths.
+-- | Neighbours that may be drawn as one path: same style, same kind of shape, no text. Pieces stay short, since
+-- viewers are slow at long paths.
 shared :: [Mark] -> [[Mark]]
 shared = concatMap (chunks 250) . groupBy alike
   where
@@ -70,7 +71,7 @@ shared = concatMap (chunks 250) . groupBy alike
     kind (Region _) = 0
     kind (Polyline _) = 1
     kind (Dot _) = 2
-    kind (Label _ _ _) = 3
+    kind (Label {}) = 3
     chunks k list = case splitAt k list of
       ([], _) -> []
       (now, later) -> now : chunks k later
@@ -97,7 +98,7 @@ piece density marks@(Mark _ style shape : _) = case shape of
 
 words' :: Style -> Anchor -> Place -> Text -> Diagram SVG
 words' style anchor place text =
-  alignedText across 0.5 (Text.unpack (Text.filter (>= ' ') text))
+  alignedText across 0.5 (Text.unpack (printable text))
     # fontSizeO (textSize style)
     # font "Helvetica, Arial, sans-serif"
     # weight
@@ -120,11 +121,13 @@ data Look = Look !(Maybe String) !(Maybe String) ![Double]
 painted :: Density -> Style -> Diagram SVG -> Diagram SVG
 painted density style =
   maybe (fcA transparent) (fc . sRGB24read) fill
-    . maybe (lw none) (\colour -> lc (sRGB24read colour) . lwO (strokeWidth density style)) stroke
+    . maybe (lw none) (\colour -> lcA (sRGB24read colour `withOpacity` ink) . lwO (strokeWidth density style)) stroke
     . (if null dashes then id else dashingO dashes 0)
     . lineJoin LineJoinRound
   where
     Look fill stroke dashes = look density style
+    -- Lines cannot get thinner without end: viewers drop what covers too little of a pixel.
+    ink = if style == Bitangent then byDensity density 1 1 0.6 0.12 else 1 :: Double
 
 -- | How a style looks in a layer of some density.
 look :: Density -> Style -> Look
@@ -134,7 +137,7 @@ look density style = case style of
   Opaque -> Look (Just solid) (Just dark) []
   RoomWall -> line dark
   ThinWall -> line dark
-  Bitangent -> line (by "#3a78b5" "#5a91c6" "#8fb3d6")
+  Bitangent -> line (by "#3a78b5" "#5a91c6" "#3a78b5")
   LightRim -> line dark
   LightSource -> line "#ffd92e"
   LightRay -> line dark

@@ -1,5 +1,5 @@
--- | Round numbers and exact conversions for figures: scenes may be anywhere and of any size, so coordinates are taken relative
--- to the scene before they become Doubles.
+-- | Round numbers and exact conversions for figures: scenes may be anywhere and of any size, so coordinates are taken
+-- relative to the scene before they become Doubles.
 module Visibility.Draw.Scale
   ( -- * Round numbers
     roundStep
@@ -11,6 +11,8 @@ module Visibility.Draw.Scale
   , directionAngle
     -- * Counted things
   , counted
+  , countedVertices
+  , countedUnlabelled
   ) where
 
 import Data.Bits (shiftR)
@@ -38,8 +40,8 @@ multiplesWithin step low high = [fromInteger k * step | k <- [ceiling (low / ste
 roundedTo :: Rational -> Rational -> Rational
 roundedTo step x = fromInteger (round (x / step)) * step
 
--- | A finite decimal, exactly; with an exponent where it would be long. A number that is no finite decimal is given as a
--- fraction.
+-- | A finite decimal, exactly; with an exponent where it would be long. A number that is no finite decimal is given as
+-- a fraction.
 --
 -- >>> map decimalText [1/4, -20, 3 * 10^9, 1/3]
 -- ["0.25","−20","3e9","1/3"]
@@ -51,13 +53,14 @@ decimalText x
   | e >= 0 && (e < 5 || length figures + e <= 7) = Text.pack (figures <> replicate e '0')
   | e < 0 && point > 0 = Text.pack (take point figures <> "." <> drop point figures)
   | e < 0 && point > -4 = Text.pack ("0." <> replicate (negate point) '0' <> figures)
-  | otherwise = Text.pack (take 1 figures <> mantissaRest <> "e" <> (if point < 1 then "−" else "") <> show (abs (point - 1)))
+  | otherwise = Text.pack (take 1 figures <> mantissaRest <> "e" <> minus <> show (abs (point - 1)))
   where
     isDecimal d = until ((/= 0) . (`rem` 2)) (`quot` 2) (until ((/= 0) . (`rem` 5)) (`quot` 5) d) == 1
     (m, e) = trim (until ((== 1) . denominator . fst) (\(v, k) -> (v * 10, k - 1)) (x, 0 :: Int))
     trim (v, k) = until ((/= 0) . (`rem` 10) . fst) (\(n, j) -> (n `quot` 10, j + 1)) (numerator v, k)
     figures = show m
     point = length figures + e
+    minus = if point < 1 then "−" else ""
     mantissaRest = if length figures > 1 then '.' : drop 1 figures else ""
 
 -- | The Double next to a quotient. /Requires/ a divisor other than 0.
@@ -66,7 +69,8 @@ quotient a b = fromRational (a % b)
 
 -- | The angle of a direction in radians.
 --
--- /Degenerate cases/ components of any size; the angle of (0, 1) is π/2 and that of (0, −1) is −π/2, as near as a Double comes.
+-- /Degenerate cases/ components of any size; the angle of (0, 1) is π/2 and that of (0, −1) is −π/2, as near as a
+-- Double comes.
 directionAngle :: Direction -> Double
 directionAngle (Direction dx dy) = atan2 (small dy) (small dx)
   where
@@ -80,3 +84,15 @@ directionAngle (Direction dx dy) = atan2 (small dy) (small dx)
 -- "1 vertex"
 counted :: Int -> String -> String -> Text
 counted k one many = Text.pack (show k <> " " <> if k == 1 then one else many)
+
+-- | The vertices, and how many of them are degenerate.
+countedVertices :: Int -> Int -> Text
+countedVertices total degenerate
+  | degenerate > 0 = counted total "vertex" "vertices" <> Text.pack (" (" <> show degenerate <> " degenerate)")
+  | otherwise = counted total "vertex" "vertices"
+
+-- | The corners whose labels found no place, if there are any.
+countedUnlabelled :: [a] -> [Text]
+countedUnlabelled [] = []
+countedUnlabelled missing =
+  [counted (length missing) "corner without room for its label" "corners without room for their labels"]

@@ -1,16 +1,19 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The figure of a scene: its polygons, what gives light, and all free bitangents.
 module Visibility.Draw.Scene
   ( sceneDrawing
   ) where
 
 import Data.List (foldl')
-import Data.Maybe (mapMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
 import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 import Visibility.Sweep.Vertex
@@ -18,42 +21,44 @@ import Visibility.View (freeBitangents)
 
 -- | The scene drawn to scale, 800 pixels wide.
 --
--- Layers, from the bottom: @outside@ and @room@ of an enclosure; @bitangents@, named @0.1 2.3@; @polygons@, named as in output;
--- @lights@, named by their sides; @leaders@, @labels@; @legend@. Up to 40 corners are labelled; where there are more, the polygons
--- are numbered that have room for it.
+-- Layers, from the bottom: @outside@ and @room@ of an enclosure; @bitangents@, named @0.1 2.3@; @polygons@, named as
+-- in output; @lights@, named by their sides; @flat-corners@, dots; @leaders@, @labels@; @legend@. Up to 40 corners are
+-- labelled; where there are more, the polygons are numbered that have room for it.
 --
--- /Degenerate cases/ a scene without height or width is drawn on a strip. The light of a thin wall is drawn on the face that gives it.
+-- /Degenerate cases/ a scene without height or width is drawn on a strip. The light of a thin wall is drawn on the
+-- face that gives it.
 --
 -- /Requires/ all vertices of the scene, in any order. /Cost/ O(m + n), besides labels.
 --
--- /Laws/ every polygon and every free bitangent has exactly one mark; no label covers a line, an outline or another label.
+-- /Laws/ every polygon and every free bitangent has exactly one mark; no label covers a line, an outline or another
+-- label.
 sceneDrawing :: Scene -> [Vertex] -> Drawing
 sceneDrawing scene vertices =
   Drawing
     { drawingTitle = title
-    , drawingDescription =
-        Text.pack "Polygons of the scene and its free bitangents: " <> Text.intercalate (Text.pack ", ") facts <> Text.pack "."
+    , drawingDescription = "Polygons of the scene and its free bitangents: " <> Text.intercalate ", " facts <> "."
     , drawingWidth = width
     , drawingHeight = height
     , drawingLayers =
         filter
           (not . null . layerMarks)
-          [ Layer (Text.pack "outside") Sparse outside
-          , Layer (Text.pack "room") Sparse room
-          , Layer (Text.pack "bitangents") (densityOf (length bitangents)) bitangents
-          , Layer (Text.pack "polygons") polygonDensity polygons
-          , Layer (Text.pack "lights") polygonDensity lights
-          , Layer (Text.pack "leaders") Sparse leaders
-          , Layer (Text.pack "labels") Sparse labels
-          , Layer (Text.pack "legend") Sparse (titleMark : legendMarks <> scaleBar <> caption)
+          [ Layer "outside" Sparse outside
+          , Layer "room" Sparse room
+          , Layer "bitangents" (densityOf (length bitangents)) bitangents
+          , Layer "polygons" polygonDensity polygons
+          , Layer "lights" polygonDensity lights
+          , Layer "flat-corners" Sparse flatCorners
+          , Layer "leaders" Sparse leaders
+          , Layer "labels" Sparse labels
+          , Layer "legend" Sparse (titleMark : legendMarks <> scaleBar <> caption)
           ]
     }
   where
-    title = maybe (Text.pack "Untitled scene") id (sceneTitle scene)
+    title = fromMaybe "Untitled scene" (sceneTitle scene)
     frame = frameFor scene
     place = placeOf scene frame
     bitangents =
-      [ Mark (nameOf p <> Text.pack " " <> nameOf q) Bitangent (Polyline [place p, place q])
+      [ Mark (nameOf p <> " " <> nameOf q) Bitangent (Polyline [place p, place q])
       | vertex <- vertices
       , (p, q) <- freeBitangents scene vertex
       ]
@@ -61,16 +66,25 @@ sceneDrawing scene vertices =
     polygons = map (polygonMark place) (scenePolygons scene)
     polygonDensity = densityOf (cornerCount scene)
     enclosures = [map place (polygonCorners polygon) | polygon <- scenePolygons scene, polygonId polygon == Enclosure]
-    room = [Mark (Text.pack "E") RoomFloor (Region places) | places <- enclosures]
-    outside = [Mark (Text.pack "E") Outside (boxRegion (frameOutside frame)) | _ <- enclosures]
+    room = [Mark "E" RoomFloor (Region places) | places <- enclosures]
+    outside = [Mark "E" Outside (boxRegion (frameOutside frame)) | _ <- enclosures]
     lights = concatMap (lightMarks scene place) (sides scene)
 
+    -- Where a label names a corner that no outline shows.
+    flatCorners =
+      [ Mark (nameOf c) VertexDot (Dot (place c))
+      | cornerCount scene <= 40
+      , c@(CornerId i) <- corners scene
+      , let (CornerId before, CornerId after) = (previousCorner scene c, nextCorner scene c)
+      , before /= after
+      , turn (scenePoints scene) before i after == Collinear
+      ]
     scenery =
       Obstruction
         { canvas = frameOutside frame
         , lightLines = concatMap wide (bitangents <> lights)
         , walls = concatMap wide polygons
-        , taken = []
+        , taken = [widened (dotRadius Sparse VertexDot) (Box x y x y) | Mark _ _ (Dot (Place x y)) <- flatCorners]
         , clearance = 1.5
         }
     (labels, leaders, unlabelled)
@@ -82,25 +96,27 @@ sceneDrawing scene vertices =
     width = canvasWidth
     top = frameHeight frame + footHeight
     height = top + 40
-    titleMark = Mark Text.empty FigureTitle (Label StartAnchor (Place sideMargin (height - 25)) (shortened FigureTitle (width - 2 * sideMargin) title))
+    titleMark =
+      plain FigureTitle $
+        Label StartAnchor (Place sideMargin (height - 25)) (shortened FigureTitle (width - 2 * sideMargin) title)
     footHeight = frameFoot frame
     (legendTop, legendWidth) = (footHeight - 6, width - 2 * sideMargin - 150)
     legendMarks = legend sideMargin legendTop legendWidth entries
     entries =
-      [Entry (regionSwatch Opaque) (Text.pack "opaque") | any isSolid (scenePolygons scene)]
-        <> [Entry (lineSwatch [ThinWall]) (Text.pack "thin wall") | any isThin (scenePolygons scene)]
-        <> [Entry (lineSwatch [Bitangent]) (Text.pack "free bitangent") | not (null bitangents)]
-        <> [Entry (lineSwatch [LightRim, LightSource]) (Text.pack "light source") | not (null lights)]
+      [Entry (regionSwatch Opaque) "opaque" | any isSolid (scenePolygons scene)]
+        <> [Entry (lineSwatch [ThinWall]) "thin wall" | any isThin (scenePolygons scene)]
+        <> [Entry (lineSwatch [Bitangent]) "free bitangent" | not (null bitangents)]
+        <> [Entry (lineSwatch [LightRim, LightSource]) "light source" | not (null lights)]
     caption = captionLines sideMargin (legendTop - legendHeight legendWidth entries - 15) (width - 2 * sideMargin) facts
     scaleBar = scaleMarks scene frame (Place (width - sideMargin) (legendTop - rowHeight / 2))
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"
       , counted (cornerCount scene) "corner" "corners"
-      , counted vertexTotal "vertex" "vertices" <> (if degenerate > 0 then Text.pack (" (" <> show degenerate <> " degenerate)") else Text.empty)
+      , countedVertices vertexTotal degenerate
       , counted pairs "elementary visible pair" "elementary visible pairs"
       , counted (length bitangents) "free bitangent" "free bitangents"
       ]
-        <> [counted (length unlabelled) "corner without room for its label" "corners without room for their labels" | not (null unlabelled)]
+        <> countedUnlabelled unlabelled
     Totals vertexTotal degenerate pairs = foldl' addVertex (Totals 0 0 0) vertices
     addVertex (Totals a b c) vertex =
       Totals (a + 1) (if isDegenerate vertex then b + 1 else b) (c + length (vertexPairs vertex))
@@ -133,13 +149,13 @@ frameFor :: Scene -> Frame
 frameFor scene = Frame scale extent (Place originX originY) outside foot (plotHeight + 2 * plotMargin)
   where
     points = map (cornerAt scene) (corners scene)
-    right = maximum (1 : [x | Vector2 x _ <- points])
+    right = maximum (0 : [x | Vector2 x _ <- points])
     up = maximum (0 : [y | Vector2 _ y <- points])
-    extent = max right up
+    extent = maximum [1, right, up]
     (w, h) = (quotient right extent, quotient up extent)
     plotWidth = canvasWidth - 2 * (sideMargin + plotMargin)
     scale = if h * plotWidth <= w * tallest then plotWidth / w else tallest / h
-    plotHeight = max lowest (scale * h)
+    plotHeight = fromIntegral (ceiling (max lowest (scale * h)) :: Int)
     foot = 66
     originX = (canvasWidth - scale * w) / 2
     originY = foot + plotMargin + (plotHeight - scale * h) / 2
@@ -192,7 +208,7 @@ lightMarks scene place side
 
 -- | A label that had best lie where the free angle of its corner is widest, opposite the solid.
 cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> Request
-cornerRequest scene place c = Request name CornerLabel name [Seat here outward]
+cornerRequest scene place c = Request name CornerLabel name [Seat here outward pi]
   where
     name = Text.pack (cornerText (cornerName scene c))
     here = place c
@@ -209,15 +225,15 @@ polygonLabel place bands polygon
   | otherwise = labelInside bands number PolygonLabel texts (map place (polygonCorners polygon))
   where
     number = Text.pack (polygonText (polygonId polygon))
-    texts = [number <> Text.pack " " <> name | Just name <- [polygonName polygon]] <> [number]
+    texts = [number <> " " <> name | Just name <- [polygonName polygon]] <> [number]
 
 -- | A bar whose length in the file's units is a round number, by its right end.
 scaleMarks :: Scene -> Frame -> Place -> [Mark]
 scaleMarks scene frame (Place right y) =
-  [ Mark Text.empty Axis (Polyline [Place left y, Place right y])
-  , Mark Text.empty Axis (Polyline [Place left (y - 3), Place left (y + 3)])
-  , Mark Text.empty Axis (Polyline [Place right (y - 3), Place right (y + 3)])
-  , Mark Text.empty Caption (Label EndAnchor (Place (left - 6) (y - 0.36 * textSize Caption)) (decimalText bar))
+  [ plain Axis (Polyline [Place left y, Place right y])
+  , plain Axis (Polyline [Place left (y - 3), Place left (y + 3)])
+  , plain Axis (Polyline [Place right (y - 3), Place right (y + 3)])
+  , plain Caption (Label EndAnchor (Place (left - 6) (y - 0.36 * textSize Caption)) (decimalText bar))
   ]
   where
     -- 80 pixels in the file's units.

@@ -99,10 +99,14 @@ filteredTurn points xs a b c
         + 2 ^^ (-1000 :: Int)
     unitRoundoff = 2 ^^ (-53 :: Int) :: Double
 
+{-# NOINLINE filteredTurn #-}
+
 integerTurn :: Points -> Int -> Int -> Int -> Turn
 integerTurn points a b c = directionTurn (along a b) (along a c)
   where
     along i j = let Vector2 x y = difference (pointAt points i) (pointAt points j) in Direction x y
+
+{-# NOINLINE integerTurn #-}
 
 doubleTurn :: U.Vector Double -> Int -> Int -> Int -> Turn
 doubleTurn xs a b c = signTurn det
@@ -112,6 +116,8 @@ doubleTurn xs a b c = signTurn det
     det =
       (xs U.! (2 * b) - ax) * (xs U.! (2 * c + 1) - ay)
         - (xs U.! (2 * b + 1) - ay) * (xs U.! (2 * c) - ax)
+
+{-# NOINLINE doubleTurn #-}
 
 signTurn :: (Ord a, Num a) => a -> Turn
 signTurn det

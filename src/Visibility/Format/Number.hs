@@ -31,14 +31,14 @@ data NumberFault
     ExponentTooLarge
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | 400. The exponent /as spelled/ counts, whatever the number of digits before it: @1.234e-400@ is read exactly, though
--- its denominator is 10^403. So a number is never larger than its text is long, but for these 400 digits.
+-- | 400. The exponent /as spelled/ counts, whatever the number of digits before it: @1.234e-400@ is read exactly,
+-- though its denominator is 10^403. So a number is never larger than its text is long, but for these 400 digits.
 exponentLimit :: Int
 exponentLimit = 400
 
--- | Reads a decimal with or without an exponent, an integer, or a fraction p/q of integers with q > 0. Digits stand on both
--- sides of a decimal point, a sign is only @-@ and only in front (or after @e@, where @+@ may stand too), and there are no
--- spaces. Leading zeros do no harm here; JSON forbids them outside of strings.
+-- | Reads a decimal with or without an exponent, an integer, or a fraction p/q of integers with q > 0. Digits stand on
+-- both sides of a decimal point, a sign is only @-@ and only in front (or after @e@, where @+@ may stand too), and
+-- there are no spaces. Leading zeros do no harm here; JSON forbids them outside of strings.
 --
 -- /Degenerate cases/ the size of the exponent is checked before any power of ten is computed.
 --

@@ -111,14 +111,16 @@ foldOverlaps combine start (BoxTree order table root) = within start root
       | not (boxesOverlap (groupBox a) (groupBox b)) = acc
       | otherwise = case (a, b) of
           (Slice _ from to, Slice box' from' to') -> slices acc from to box' from' to'
-          (Halves _ a1 a2, Slice _ _ _) -> across (across acc a1 b) a2 b
-          (Slice _ _ _, Halves _ b1 b2) -> across (across acc a b1) a b2
+          (Halves _ a1 a2, Slice {}) -> across (across acc a1 b) a2 b
+          (Slice {}, Halves _ b1 b2) -> across (across acc a b1) a b2
           (Halves _ a1 a2, Halves _ b1 b2) ->
             across (across (across (across acc a1 b1) a1 b2) a2 b1) a2 b2
     slices !acc i to box' from' to'
       | i >= to = acc
-      | boxesOverlap (at table i) box' = slices (against (at table i) (order U.! i) acc from' to') (i + 1) to box' from' to'
+      | boxesOverlap box box' = slices (against box (order U.! i) acc from' to') (i + 1) to box' from' to'
       | otherwise = slices acc (i + 1) to box' from' to'
+      where
+        box = at table i
     against box i !acc j to
       | j >= to = acc
       | boxesOverlap box (at table j) = against box i (combine acc i (order U.! j)) (j + 1) to

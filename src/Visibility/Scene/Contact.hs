@@ -88,7 +88,7 @@ meeting :: Ranked -> Segment -> Segment -> Meeting
 meeting r (Segment a b) (Segment c d)
   | cSide == dSide && cSide /= Collinear = Apart
   | aSide == bSide && aSide /= Collinear = Apart
-  | all (/= Collinear) [aSide, bSide, cSide, dSide] = Crossing
+  | Collinear `notElem` [aSide, bSide, cSide, dSide] = Crossing
   | null touches = Apart
   | otherwise = Touching touches
   where

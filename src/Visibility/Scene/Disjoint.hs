@@ -21,25 +21,26 @@ data Boundaries = Disjoint | Meet
 
 -- Note [The sweep]
 -- ~~~~~~~~~~~~~~~~
--- Corners are visited in lexicographic order; the status holds the segments with one end visited, ordered upwards (along a
--- line turned from the vertical by as little as you like, so a vertical segment starts at its lower end). Let p be the
--- least point, in that order, in which segments meet that do not share a corner there. Before p the status is in order. If p is no
--- corner, then just before p the segments through p follow each other in the status, and the last event that made two of
--- them neighbours has compared them. If p is a corner, then the segments through p are found in one run by looking for p,
--- and one of them does not end there; or else two corners are in one place, which is checked at the start. So the sweep
--- stops at p or before, and what it relies on is right until then.
+-- Corners are visited in lexicographic order; the status holds the segments with one end visited, ordered upwards
+-- (along a line turned from the vertical by as little as you like, so a vertical segment starts at its lower end).
+-- Segments that become neighbours in the status are compared. Let p be the least point, in the order of corners, in
+-- which segments meet that do not share a corner there; no two corners are in one place, which is checked at the start.
+-- Until p the status is in order. If two of the segments through p are in the status just before p, then all that are
+-- follow each other, and two neighbours among them that do not share p were compared when the last event made them
+-- neighbours. Otherwise one of them starts at p and one at most comes from before: it is next to p in the status, and
+-- so to those that start there. So the sweep stops at p or before, and what it relies on is right until then.
 
 -- | Do any of the segments meet, but for segments with a corner in common, which meet there?
 --
--- /Requires/ segments with different corners as ends, at most two at each corner, and no two of them with a common corner
--- and the same direction from it.
+-- /Requires/ segments with different corners as ends, at most two at each corner, and no two of them with a common
+-- corner and the same direction from it.
 --
--- /Degenerate cases/ two corners in one place, also of one segment, are 'Meet'. Vertical segments and segments on one line
--- are ordinary.
+-- /Degenerate cases/ two corners in one place are 'Meet'. Vertical segments and segments on one line are ordinary.
 --
 -- /Cost/ O(n log² n), however the segments lie.
 --
--- /Laws/ 'Meet' exactly when 'meeting' is not 'Apart' for two segments without a common corner, or two corners are in one place.
+-- /Laws/ 'Meet' exactly when 'meeting' is not 'Apart' for two segments without a common corner, or two corners are in
+-- one place.
 --
 -- /Source/ Shamos and Hoey, Geometric intersection problems, 1976.
 boundaries :: Ranked -> [Segment] -> Boundaries
@@ -54,22 +55,21 @@ boundaries r segments
     order = U.toList (U.modify (Intro.sortBy (comparing place)) (U.filter used (U.enumFromN 0 (V.length incident))))
     used c = not (null (incident V.! c))
 
+    -- See Note [The sweep].
     sweep [] _ = Disjoint
     sweep (c : cs) status
-      | not (all (`elem` ending) (toList (Seq.take width (Seq.drop low status)))) = Meet
-      | any ((/= RightTurn) . side c) above = Meet
-      | not (all (uncurry compatible) (neighbours (toList below <> starting <> toList above))) = Meet
-      | otherwise = sweep cs (replaced low width starting status)
+      | all (uncurry compatible) (neighbours (toList below <> starting <> toList above)) =
+          sweep cs (replaced low width starting status)
+      | otherwise = Meet
       where
         starting = upwardsFrom [s | s@(Segment a _) <- incident V.! c, a == c]
-        ending = [s | s@(Segment _ b) <- incident V.! c, b == c]
-        width = length ending
+        width = length [b | Segment _ b <- incident V.! c, b == c]
         low = firstNotBelow c status
         below = Seq.lookup (low - 1) status
         above = Seq.lookup (low + width) status
 
     side c (Segment a b) = turn (rankedPoints r) a b c
-    upwardsFrom [s@(Segment a b), t@(Segment _ b')] = if turn (rankedPoints r) a b b' == LeftTurn then [s, t] else [t, s]
+    upwardsFrom [s@(Segment _ b), t] = if side b t == LeftTurn then [t, s] else [s, t]
     upwardsFrom other = other
     compatible s@(Segment a b) t@(Segment c d) = a == c || a == d || b == c || b == d || meeting r s t == Apart
 

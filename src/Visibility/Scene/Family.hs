@@ -3,8 +3,8 @@
 -- | Named families of scenes by size and seed: inputs for trials, tests and benchmarks.
 --
 -- A scene is a pure function of family, size and seed, the same for all time. All coordinates are integers; up to 2¹⁴
--- corners they stay below 2³¹, so that machine integers decide. Every scene is valid by construction: each polygon has a
--- cell of its own and stays strictly inside it.
+-- corners they stay below 2³¹, so that machine integers decide. Every scene is valid by construction: each polygon has
+-- a cell of its own and stays strictly inside it.
 module Visibility.Scene.Family
   ( -- * Families
     Family (..)
@@ -39,7 +39,8 @@ data Family
     Grid
   | -- | A room with piers along its walls, and quadrilaterals in it.
     Room
-  | -- | Two combs, each with as many rectangular teeth as the size says, facing each other: non-convex, full of parallels.
+  | -- | Two combs, each with as many rectangular teeth as the size says, facing each other: non-convex, full of
+    -- parallels.
     Comb
   | -- | Thin walls in random directions.
     ThinWalls
@@ -91,8 +92,8 @@ sizeCount (Size n) = n
 --
 -- /Cost/ O(n).
 --
--- /Laws/ the scene is valid; except for 'Comb', its obstacles are the first ones of every larger scene of the same family and
--- seed, up to a translation.
+-- /Laws/ the scene is valid; except for 'Comb', its obstacles are the first ones of every larger scene of the same
+-- family and seed.
 family :: Family -> Size -> Seed -> RawScene
 family kind (Size n) seed@(Seed s) =
   RawScene
@@ -120,16 +121,16 @@ obstacles kind n seed = case kind of
   where
     scattered edge shape = [runDraw seed k (shape >>= turnedAtRandom >>= within edge (cell k)) | k <- [0 .. n - 1]]
 
--- | The cell of a polygon: cells fill growing squares, so that n of them lie in a square of ⌈√n⌉ columns and rows, and the
--- first ones do not depend on n.
+-- | The cell of a polygon: cells fill growing squares, so that n of them lie in a square of ⌈√n⌉ columns and rows, and
+-- the first ones do not depend on n.
 cell :: Int -> Pair
 cell k = if r < s then (s, r) else (2 * s - r, s)
   where
     s = integerSquareRoot (toInteger k)
     r = toInteger k - s * s
 
--- | A convex quadrilateral, no three corners on a line: one corner inside each side of a rectangle about the origin whose
--- half sides are drawn from this range.
+-- | A convex quadrilateral, no three corners on a line: one corner inside each side of a rectangle about the origin
+-- whose half sides are drawn from this range.
 quadrilateral :: Integer -> Integer -> Draw [Pair]
 quadrilateral least most = do
   a <- between least most
@@ -156,7 +157,12 @@ turnedAtRandom shape = do
 
 -- | All integer vectors of length 1105 = 5·13·17.
 headings :: [Pair]
-headings = [(x, y) | x <- [-1105 .. 1105], Just r <- [exactSquareRoot (1105 * 1105 - x * x)], y <- if r == 0 then [0] else [r, -r]]
+headings =
+  [ (x, y)
+  | x <- [-1105 .. 1105]
+  , Just r <- [exactSquareRoot (1105 * 1105 - x * x)]
+  , y <- if r == 0 then [0] else [r, -r]
+  ]
 
 -- | Puts a shape at random strictly inside a cell of the given edge. /Requires/ an edge that leaves room for it.
 within :: Integer -> Pair -> [Pair] -> Draw [Pair]
@@ -170,7 +176,8 @@ within edge (i, j) shape = do
 moved :: Pair -> Pair -> Pair
 moved (dx, dy) (x, y) = (x + dx, y + dy)
 
--- | An edge into which every shape fits however it is turned: half sides up to 1000, enlarged by 1105, times √2, doubled.
+-- | An edge into which every shape fits however it is turned: half sides up to 1000, enlarged by 1105, times √2,
+-- doubled.
 randomCell :: Integer
 randomCell = 3130000
 

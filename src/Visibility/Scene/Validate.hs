@@ -22,17 +22,19 @@ import Visibility.Scene.Type
 
 -- | The scene, or everything that is wrong with it: sorted by polygon and then by corner or side, nothing twice.
 --
--- What is reported once for all: a contact of two corners, or of a corner and a side, though up to four pairs of sides meet
--- there; sides that overlap are reported as the contacts of their ends. A thin wall has its two sides in one place, and
--- contacts name side 0. What follows from something else is left out: contacts at a spike between the two sides that
--- make it, contacts of a polygon of no area with itself, and whether polygons whose boundaries meet are nested. A polygon of too
--- few corners is looked at no further. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of times.
+-- Reported once: a contact of two corners, or of a corner and a side, though up to four pairs of sides meet there.
+-- Sides that overlap are reported as the contacts of their ends. A thin wall has its two sides in one place, and
+-- contacts name side 0. What follows from something else is left out: contacts at a spike between the sides that make
+-- it, contacts of a polygon of no area with itself, and whether polygons whose boundaries meet are nested. A polygon of
+-- too few corners is looked at no further. Of a boundary that crosses itself, the inside is where a ray crosses it an
+-- odd number of times.
 --
--- /Cost/ O(n log n) where few sides have overlapping boxes, with a small constant for each pair of sides that have; twice
--- the same to assemble a valid scene.
+-- /Cost/ of a valid scene O(n log² n) for its boundaries, however they lie, and for each pair of polygons of which one
+-- has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at worst. Of an invalid
+-- scene besides O(1) for each pair of sides whose boxes overlap.
 --
--- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has the
--- corners, sides and materials that the file gives, under the file's names.
+-- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has
+-- the corners, sides and materials that the file gives, under the file's names.
 validate :: RawScene -> Either (NonEmpty SceneError) Scene
 validate raw = case ordered (statementErrors shapes <> geometryErrors shapes) of
   _ | null shapes -> Left (EmptyScene :| [])
@@ -59,7 +61,11 @@ statementErrors shapes = concat [few shape <> sideNumbers shape <> materials sha
   where
     few (p, polygon) = [TooFewCorners p n | let n = length (rawCorners polygon), n < fewest p]
     sideNumbers (p, polygon) =
-      [NoSuchSide (SideName p k) n | let n = length (rawCorners polygon), k <- Map.keys (rawSides polygon), k < 0 || k >= n]
+      [ NoSuchSide (SideName p k) n
+      | let n = length (rawCorners polygon)
+      , k <- Map.keys (rawSides polygon)
+      , k < 0 || k >= n
+      ]
     materials (p, polygon) =
       stated (OfPolygon p) (Just (emission whole)) (Just (reflectivity whole))
         <> concat [stated (OfSide (SideName p k)) e r | (k, MaterialOverride e r) <- Map.toList (rawSides polygon)]
@@ -211,7 +217,7 @@ contactsOf o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmen
           Apart -> found
           Crossing -> Cross s t : found
           Touching touches -> map (touch s t) touches <> found
-      | s' == t || t' == s || flat V.! p == NoArea = found
+      | flat V.! p == NoArea = found
       | otherwise = case meeting r (Segment s s') (Segment t t') of
           Apart -> found
           Crossing -> Cross s t : found
@@ -226,7 +232,8 @@ contactsOf o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmen
     touch _ _ (Ends a b) = AtCorners a b
     touch _ t (FirstOnSecond a) = OnSegment a t
     touch s _ (SecondOnFirst b) = OnSegment b s
-    -- Corners of one polygon in one place are repeated corners. A corner on a side next but one comes from a spike between.
+    -- Corners of one polygon in one place are the end of one side and the start of the next, or repeated corners. A
+    -- corner on a side next but one comes from a spike between.
     isOwn (OnSegment i s) = i /= around o (-1) s && i /= around o 2 s
     isOwn (AtCorners _ _) = False
     isOwn (Cross _ _) = True

@@ -1,5 +1,4 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DeriveTraversable #-}
 
 -- | A horizon tree: for every corner, the least-slope elementary pair not yet swept that leaves it forward.
 --
@@ -11,22 +10,19 @@
 -- treatment of collinear corners are this project's.
 module Visibility.Sweep.HorizonTree
   ( -- * The tree
-    Tree (..)
-  , plant
-    -- * Reading it
+    plant
   , Target (..)
   , targetOf
   , chainSteps
     -- * One step
-  , sweepLine
-    -- * Inside
-  , Frame (..)
+  , Frame
   , frame
+  , sweepLine
+    -- * For checks
   , nodeSource
   , markerOf
   , isTreeEdge
   , linkable
-  , none
   ) where
 
 import Control.Monad (forM_, unless, when)
@@ -34,19 +30,18 @@ import Control.Monad.ST (ST, runST)
 import Data.List (sortBy)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Law (broken)
 import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
+import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertical
 
--- Note [Numbers in the tables]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- n corners. A /target/ is a corner t as t, the underside of side s as n + s, the sky as 2n, and 'none' where the forward
--- rays of the corner are solid. Each target but 'none' has a list of incoming nodes.
--- A /node/ is the tree edge of corner p as p, or the permanent marker of the side that starts at corner i as n + i. Where
--- a tree edge is a side, the marker is its node. The two faces of a thin wall share one marker.
+-- Note [Lists]
+-- ~~~~~~~~~~~~
+-- The target of a corner is a list: of the corner at the far end of its next pair; or of a ceiling, when all its forward pairs are
+-- swept and its rays meet that side, or the sky, until they are vertical; or none, where the remaining rays are solid.
+-- Where a tree edge is a side, the permanent marker of the side is its node. The two faces of a thin wall share one.
 -- A list holds its nodes by ascending slope, that is from the uppermost source to the lowest. Under a ceiling all edges
 -- are vertical and the order is that of the sources along the heading.
 --
@@ -57,35 +52,6 @@ import Visibility.Sweep.Vertical
 -- edges. Its leaf (the edge furthest from the target) points to its top and its top to its leaf, so that a tangent to
 -- it can be searched from both ends. Equality matters: were collinear corners not linked, aligned scenes would be scanned
 -- corner by corner, in quadratic time.
-
--- | The tables of a tree, immutable between steps, mutable within one.
-data Tree v = Tree
-  { targets :: !v
-  -- ^ By corner.
-  , nodes :: !v
-  -- ^ By corner: the node of its tree edge, or 'none'.
-  , links :: !v
-  -- ^ By corner: 1 where linked.
-  , firstIn :: !v
-  -- ^ By target: the first node of its list.
-  , lastIn :: !v
-  -- ^ By target: the last node of its list.
-  , lowerNode :: !v
-  -- ^ By node: the one before it in its list, of lesser slope.
-  , upperNode :: !v
-  -- ^ By node: the one after it.
-  , tops :: !v
-  -- ^ By node, valid at a leaf: the top of its chain.
-  , leaves :: !v
-  -- ^ By node, valid at a top: the leaf of its chain.
-  , counter :: !v
-  -- ^ One number: chain steps so far.
-  }
-  deriving (Eq, Show, Functor, Foldable, Traversable)
-
--- | No node, no target.
-none :: Int
-none = -1
 
 -- | What a tree edge leads to.
 data Target
@@ -100,34 +66,43 @@ data Target
   deriving (Eq, Ord, Show)
 
 -- | The target of a corner's tree edge.
-targetOf :: Scene -> Tree (U.Vector Int) -> CornerId -> Target
-targetOf scene tree (CornerId p)
-  | t == none = NoTarget
-  | t < n = ToCorner (CornerId t)
-  | t < 2 * n = ToCeiling (SideId (t - n))
-  | otherwise = ToSky
+targetOf :: Scene -> Table -> CornerId -> Target
+targetOf scene table (CornerId p)
+  | l == noList = NoTarget
+  | isCornerList l = ToCorner (CornerId (listOwner l))
+  | l == skyList (cornerCount scene) = ToSky
+  | otherwise = ToCeiling (SideId (listOwner l))
   where
-    t = targets tree U.! p
-    n = cornerCount scene
+    l = listAt table (target p)
 
 -- | How many edges of convex chains have been looked at since the start.
-chainSteps :: Tree (U.Vector Int) -> Int
-chainSteps tree = counter tree U.! 0
+chainSteps :: Scene -> Table -> Int
+chainSteps scene table = at table (counter (cornerCount scene))
 
 -- | A scene as a heading sees it, with what the steps need at hand.
 data Frame = Frame
   { frameHeading :: !Heading
   , frameSize :: !Int
   , framePoints :: !Points
-  , frameScene :: !Scene
+  , followings :: !(U.Vector Int)
+  , precedings :: !(U.Vector Int)
   }
 
 frame :: Scene -> Heading -> Frame
-frame scene heading = Frame heading (cornerCount scene) (scenePoints scene) scene
+frame scene heading =
+  Frame
+    { frameHeading = heading
+    , frameSize = n
+    , framePoints = scenePoints scene
+    , followings = U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in q)
+    , precedings = U.generate n (\p -> let CornerId q = previousCorner scene (CornerId p) in q)
+    }
+  where
+    n = cornerCount scene
 
 following, preceding :: Frame -> Int -> Int
-following f p = let CornerId q = nextCorner (frameScene f) (CornerId p) in q
-preceding f p = let CornerId q = previousCorner (frameScene f) (CornerId p) in q
+following f p = followings f U.! p
+preceding f p = precedings f U.! p
 {-# INLINE following #-}
 {-# INLINE preceding #-}
 
@@ -135,306 +110,311 @@ comesBefore :: Frame -> Int -> Int -> Bool
 comesBefore = before . frameHeading
 {-# INLINE comesBefore #-}
 
+turnIn :: Frame -> Int -> Int -> Int -> Turn
+turnIn = turn . framePoints
+{-# INLINE turnIn #-}
+
 -- | The corner that a node comes from.
-nodeSource :: Frame -> Int -> Int
+nodeSource :: Frame -> Node -> Int
 nodeSource f node
-  | node < frameSize f = node
-  | comesBefore f i j = i
+  | isEdgeNode node || comesBefore f i j = i
   | otherwise = j
   where
-    i = node - frameSize f
+    i = nodeOwner node
     j = following f i
 {-# INLINE nodeSource #-}
 
--- | The marker of the side from s to t, s before t, or 'none' where they are not joined by a side.
-markerOf :: Frame -> Int -> Int -> Int
+-- | The marker of the side from s to t, s before t, or 'noNode' where they are not joined by a side.
+markerOf :: Frame -> Int -> Int -> Node
 markerOf f s t
-  | following f s == t = frameSize f + s
-  | preceding f s == t = frameSize f + t
-  | otherwise = none
+  | following f s == t = markerNode s
+  | preceding f s == t = markerNode t
+  | otherwise = noNode
 {-# INLINE markerOf #-}
 
 -- | Is this node of a list the tree edge of its source? Markers of sides may also be mere places in the list.
-isTreeEdge :: Frame -> Tree (U.Vector Int) -> Int -> Bool
-isTreeEdge f tree node = nodes tree U.! nodeSource f node == node
+isTreeEdge :: Frame -> Table -> Node -> Bool
+isTreeEdge f table node = nodeAt table (edge (nodeSource f node)) == node
 
 -- | The tree at the start of the half turn.
 --
 -- /Cost/ O(n log n).
-plant :: Scene -> Heading -> Vertical -> Tree (U.Vector Int)
+plant :: Scene -> Heading -> Vertical -> Table
 plant scene heading vertical = runST $ do
-  let size = frameSize f
-  tree <-
-    Tree
-      <$> U.thaw targets0
-      <*> U.thaw nodes0
-      <*> M.replicate size 0
-      <*> M.replicate (2 * size + 1) none
-      <*> M.replicate (2 * size + 1) none
-      <*> M.replicate (2 * size) none
-      <*> M.replicate (2 * size) none
-      <*> U.thaw (U.enumFromN 0 (2 * size))
-      <*> U.thaw (U.enumFromN 0 (2 * size))
-      <*> M.replicate 1 0
-  forM_ (Map.toList incoming) $ \(t, children) -> do
-    let ascending a b = case turn (framePoints f) t (nodeSource f a) (nodeSource f b) of
+  tree <- emptyTable n
+  forM_ (along heading n) $ \p -> do
+    putList tree (target p) (targetFrom p)
+    putNode tree (edge p) (nodeFrom p)
+    forM_ [edgeNode p, markerNode p] $ \(Node e) -> do
+      put tree (top (Node e)) e
+      put tree (leaf (Node e)) e
+  forM_ (Map.toList incoming) $ \(l, children) -> do
+    let ascending a b = case turnIn f (listOwner l) (nodeSource f a) (nodeSource f b) of
           LeftTurn -> LT
           Collinear -> EQ
           RightTurn -> GT
-        ordered = if t < size then sortBy ascending children else children
-    forM_ (zip (none : ordered) ordered) $ \(lower, node) -> insertAfter tree t lower node
-  forM_ (along heading size) $ \t -> relink f tree t
-  traverse U.unsafeFreeze tree
+        ordered = if isCornerList l then sortBy ascending children else children
+    forM_ (zip (noNode : ordered) ordered) (uncurry (insertAfter tree l))
+  forM_ (along heading n) (relink f tree)
+  frozen tree
   where
     f = frame scene heading
     n = frameSize f
-    targets0 = U.map toTarget (firstTargets vertical)
-    toTarget t = if t == skyCode scene then 2 * n else t
-    nodes0 = U.imap (\p t -> if t == none then none else edgeNode p t) targets0
-    edgeNode p t
-      | t < n, markerOf f p t /= none = markerOf f p t
-      | otherwise = p
+    targetFrom p
+      | t == solid = noList
+      | t == skyCode scene = skyList n
+      | otherwise = cornerList t
+      where
+        t = firstTargets vertical U.! p
+    nodeFrom p
+      | l == noList = noNode
+      | isCornerList l, markerOf f p (listOwner l) /= noNode = markerOf f p (listOwner l)
+      | otherwise = edgeNode p
+      where
+        l = targetFrom p
     incoming =
       Map.fromListWith
         (flip (<>))
-        ( [ (t, [node])
-          | p <- along heading n
-          , let t = targets0 U.! p
-          , let node = nodes0 U.! p
-          , node == p
-          ]
-            <> [ (q, [markerOf f p q])
-               | p <- along heading n
-               , q <- neighbours p
-               , comesBefore f p q
-               ]
+        ( [(targetFrom p, [edgeNode p]) | p <- along heading n, nodeFrom p == edgeNode p]
+            <> [(cornerList q, [markerOf f p q]) | p <- along heading n, q <- neighbours p, comesBefore f p q]
         )
     neighbours p
       | following f p == preceding f p = [following f p]
       | otherwise = [following f p, preceding f p]
 
--- | Sweeps one vertex: its corners in the order of the heading, each edge of the line being the tree edge of its source.
+-- | Sweeps one vertex: so many corners, the k-th of them in the order of the heading as given, each edge of the line being the
+-- tree edge of its source.
 --
 -- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per corner besides the chain steps, which are counted.
-sweepLine :: Frame -> Tree (M.MVector s Int) -> [Int] -> ST s ()
-sweepLine f tree line = do
-  forM_ (zip line (drop 1 (withoutLast line))) $ \(p, q) -> do
-    isLinked <- get (links tree) q
-    when (isLinked == 1) $ do
-      leaf <- get (nodes tree) p
-      top <- get (tops tree) leaf
-      cut tree q leaf top
-  mapM_ (advance f tree) (reverse (withoutLast line))
+sweepLine :: Frame -> Growing s -> Int -> (Int -> ST s Int) -> ST s ()
+sweepLine f tree size corner = do
+  when (size > 2) $ forM_ [1 .. size - 2] separate
+  advanceFrom (size - 2)
   where
-    withoutLast xs = zipWith const xs (drop 1 xs)
+    -- Makes the edge into the k-th corner the leaf of its chain, as every edge of the line must be.
+    separate k = do
+      q <- corner k
+      isLinked <- get tree (link q)
+      when (isLinked == 1) $ do
+        p <- corner (k - 1)
+        e <- getNode tree (edge p)
+        highest <- getNode tree (top e)
+        cut tree q e highest
+    -- All but the last, the furthest first.
+    advanceFrom k
+      | k < 0 = pure ()
+      | otherwise = corner k >>= advance f tree >> advanceFrom (k - 1)
+{-# INLINE sweepLine #-}
 
 -- | The tree edge of p has been swept: find the next one.
-advance :: Frame -> Tree (M.MVector s Int) -> Int -> ST s ()
+advance :: Frame -> Growing s -> Int -> ST s ()
 advance f tree p = do
-  q <- get (targets tree) p
-  swept <- get (nodes tree) p
-  release q swept
+  into <- getList tree (target p)
+  let !q = listOwner into
+  swept <- getNode tree (edge p)
+  release f tree p q swept
+  let !x = preceding f q
   if following f p == q && preceding f p /= q
-    then besideSolid q
-    else do
-      let x = preceding f q
-      if x /= p && turnOf p q x == LeftTurn then stoppedBy q x else passing q
-  where
-    turnOf = turn (framePoints f)
-    n = frameSize f
+    then besideSolid f tree p q
+    else
+      if x /= p && turnIn f p q x == LeftTurn
+        then -- The ray turns into the side between x and q.
 
-    -- Takes the swept edge out of the tree. It is the leaf of its chain; where it is also linked to the edge out of q, that
-    -- chain is cut first.
-    release q swept = do
-      isLinked <- get (links tree) q
-      final <- get (lastIn tree) q
-      when (isLinked == 1 && final == swept) $ do
-        top <- get (tops tree) swept
-        cut tree q swept top
-      put (tops tree) swept swept
-      put (leaves tree) swept swept
-      put (nodes tree) p none
-      put (targets tree) p none
-      when (swept < n) $ unlink tree q swept
-      stillLinked <- get (links tree) q
-      when (stillLinked == 0) $ relink f tree q
-
-    -- The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads
-    -- forward and lies above; else there is none.
-    besideSolid q = do
-      let r = preceding f p
-      when (comesBefore f p r && turnOf p q r == LeftTurn) $ attach f tree p r none NoTangent
-
-    -- The ray turns into the side between x and q.
-    stoppedBy q x
-      | comesBefore f q x = get (lowerNode tree) (markerOf f q x) >>= settle x
-      | otherwise = get (lastIn tree) (n + x) >>= underCeiling (n + x)
-
-    -- The ray passes above q and slides along what q's own next ray meets.
-    passing q = do
-      stop <- get (nodes tree) q
-      when (stop == none) $ broken "a ray that passes a corner finds its tree edge" (show (p, q))
-      t <- get (targets tree) q
-      e <- get (lowerNode tree) stop
-      if t < n then settle t e else underCeiling t e
-
-    -- On the underside of the ceiling t, e is the nearest vertical edge to the left of the place reached so far.
-    underCeiling t e
-      | e /= none, comesBefore f p (nodeSource f e) = settle t e
-      | t < 2 * n, comesBefore f p (t - n) = get (lastIn tree) (t - n) >>= settle (t - n)
-      | otherwise = settle t e
-
-    settle t e = do
-      (t', e', tangent) <- tangentFrom f tree p t e
-      attach f tree p t' e' tangent
-
--- | Where the tangent from a corner touched a convex chain: the leaf and the top of that chain before it is cut there.
-data Tangent = NoTangent | Touching !Int !Int
-
--- | Follows the convex chains that hide the target t from p; e is the last edge into t below p's ray. Each chain is searched
--- from both of its ends by turns, so the cost is at most twice the distance to the nearer one.
-tangentFrom :: Frame -> Tree (M.MVector s Int) -> Int -> Int -> Int -> ST s (Int, Int, Tangent)
-tangentFrom f tree p = chains NoTangent
-  where
-    turnOf = turn (framePoints f)
-    n = frameSize f
-
-    chains tangent t e = do
-      step
-      hidden <- if e == none then pure False else isEdge e >>= \edge -> if edge then hides e else pure False
-      if not hidden
-        then pure (t, e, tangent)
+          if comesBefore f q x
+            then getNode tree (lower (markerOf f q x)) >>= settle f tree p (cornerList x)
+            else getNode tree (final (ceilingList x)) >>= underCeiling f tree p (ceilingList x)
         else do
-          leaf <- get (leaves tree) e
-          t' <- search leaf e leaf
-          e' <- get (lastIn tree) t'
-          isLinked <- get (links tree) t'
-          if isLinked == 1
-            then pure (t', e', Touching leaf e)
-            else chains (Touching leaf e) t' e'
+          -- The ray passes above q and slides along what q's own next ray meets.
+          stop <- getNode tree (edge q)
+          when (stop == noNode) $ broken "a ray that passes a corner finds its tree edge" (show (p, q))
+          l <- getList tree (target q)
+          e <- getNode tree (lower stop)
+          if isCornerList l then settle f tree p l e else underCeiling f tree p l e
 
-    -- The far end goes down from e, the near end up from the leaf; both lie on one chain, along which hiding is monotone.
-    search leaf e near = do
-      step
-      let t = nodeSource f e
-      isLinked <- get (links tree) t
-      if isLinked == 0
+-- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain; where it is also linked to the edge out
+-- of q, that chain is cut first.
+release :: Frame -> Growing s -> Int -> Int -> Node -> ST s ()
+release f tree p q swept = do
+  isLinked <- get tree (link q)
+  end <- getNode tree (final (cornerList q))
+  when (isLinked == 1 && end == swept) $ getNode tree (top swept) >>= cut tree q swept
+  putNode tree (top swept) swept
+  putNode tree (leaf swept) swept
+  putNode tree (edge p) noNode
+  putList tree (target p) noList
+  when (isEdgeNode swept) $ unlink tree (cornerList q) swept
+  stillLinked <- get tree (link q)
+  when (stillLinked == 0) $ relink f tree q
+
+-- | The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads forward
+-- and lies above; else there is none.
+besideSolid :: Frame -> Growing s -> Int -> Int -> ST s ()
+besideSolid f tree p q =
+  when (comesBefore f p r && turnIn f p q r == LeftTurn) $ attach f tree p (cornerList r) noNode noNode noNode
+  where
+    !r = preceding f p
+
+-- | On the underside of a ceiling, e is the nearest vertical edge to the left of the place reached so far.
+underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
+underCeiling f tree p l e
+  | e /= noNode, comesBefore f p (nodeSource f e) = settle f tree p l e
+  | a < frameSize f, comesBefore f p a = getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
+  | otherwise = settle f tree p l e
+  where
+    !a = listOwner l
+
+-- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the corner at which
+-- the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is searched from both of
+-- its ends by turns, so the cost is at most twice the distance to the nearer one.
+settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
+settle f tree p = alongChains f tree p noNode noNode
+
+-- | The last chain touched so far had this leaf and top.
+alongChains :: Frame -> Growing s -> Int -> Node -> Node -> List -> Node -> ST s ()
+alongChains f tree p !deepest !highest !l !e = do
+  countStep f tree
+  hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
+  if not hidden
+    then attach f tree p l e deepest highest
+    else do
+      deepest' <- getNode tree (leaf e)
+      t <- tangentPoint f tree p deepest' e
+      e' <- getNode tree (final (cornerList t))
+      isLinked <- get tree (link t)
+      if isLinked == 1
+        then attach f tree p (cornerList t) e' deepest' e
+        else alongChains f tree p deepest' e (cornerList t) e'
+
+-- | Where the tangent from p touches a chain. The far end goes down from e, the near end up from the leaf; hiding is monotone along
+-- the chain.
+tangentPoint :: Frame -> Growing s -> Int -> Node -> Node -> ST s Int
+tangentPoint f tree p !near !e = do
+  countStep f tree
+  let !t = nodeSource f e
+  isLinked <- get tree (link t)
+  if isLinked == 0
+    then pure t
+    else do
+      e' <- getNode tree (final (cornerList t))
+      far <- hides f tree p e'
+      if not far
         then pure t
         else do
-          e' <- get (lastIn tree) t
-          far <- hides e'
-          if not far
-            then pure t
+          found <- if near == e' then pure True else hides f tree p near
+          let !s = nodeSource f near
+          if found
+            then pure s
             else do
-              found <- if near == e' then pure True else hides near
-              if found
-                then pure (nodeSource f near)
-                else do
-                  up <- get (targets tree) (nodeSource f near)
-                  get (nodes tree) up >>= search leaf e'
+              l <- getList tree (target s)
+              near' <- getNode tree (edge (listOwner l))
+              tangentPoint f tree p near' e'
 
-    isEdge e = (== e) <$> get (nodes tree) (nodeSource f e)
+-- | Is this node a tree edge that hides its end from p?
+hidesAsEdge :: Frame -> Growing s -> Int -> Node -> ST s Bool
+hidesAsEdge f tree p e = do
+  own <- getNode tree (edge (nodeSource f e))
+  if own == e then hides f tree p e else pure False
+{-# INLINE hidesAsEdge #-}
 
-    -- Does this edge, from s to t, hide t from p?
-    hides e
-      | comesBefore f p s = do
-          t <- get (targets tree) s
-          pure (t >= n || turnOf s t p /= RightTurn)
-      | otherwise = pure False
-      where
-        s = nodeSource f e
+-- | Does this tree edge, from s to t, hide t from p?
+hides :: Frame -> Growing s -> Int -> Node -> ST s Bool
+hides f tree p e
+  | comesBefore f p s = do
+      l <- getList tree (target s)
+      pure $! not (isCornerList l) || turnIn f s (listOwner l) p /= RightTurn
+  | otherwise = pure False
+  where
+    !s = nodeSource f e
+{-# INLINE hides #-}
 
-    step = get (counter tree) 0 >>= put (counter tree) 0 . (+ 1)
+countStep :: Frame -> Growing s -> ST s ()
+countStep f tree = get tree (counter (frameSize f)) >>= put tree (counter (frameSize f)) . (+ 1)
+{-# INLINE countStep #-}
 
--- | Makes t the target of p, in the list of t just after node e.
-attach :: Frame -> Tree (M.MVector s Int) -> Int -> Int -> Int -> Tangent -> ST s ()
-attach f tree p t e tangent = do
-  put (targets tree) p t
-  when (t < n) $ case tangent of
-    NoTangent -> pure ()
-    Touching leaf top -> do
-      isLinked <- get (links tree) t
-      when (isLinked == 1) $ cut tree t leaf top
-  let marker = if t < n then markerOf f p t else none
-      node = if marker == none then p else marker
-  when (marker == none) $ insertAfter tree t e p
-  put (tops tree) node node
-  put (leaves tree) node node
-  put (nodes tree) p node
-  when (t < n) $ do
-    isLinked <- get (links tree) t
+-- | Makes l the target of p, just after node e in it. The last two nodes are the leaf and the top of the chain that the tangent from p
+-- touched, 'noNode' where there was none.
+attach :: Frame -> Growing s -> Int -> List -> Node -> Node -> Node -> ST s ()
+attach f tree p l e deepest highest = do
+  putList tree (target p) l
+  when (isCornerList l && deepest /= noNode) $ do
+    isLinked <- get tree (link t)
+    when (isLinked == 1) $ cut tree t deepest highest
+  when (marker == noNode) $ insertAfter tree l e node
+  putNode tree (top node) node
+  putNode tree (leaf node) node
+  putNode tree (edge p) node
+  when (isCornerList l) $ do
+    isLinked <- get tree (link t)
     when (isLinked == 0) $ relink f tree t
   relink f tree p
   where
-    n = frameSize f
+    !t = listOwner l
+    !marker = if isCornerList l then markerOf f p t else noNode
+    !node = if marker == noNode then edgeNode p else marker
 
 -- | Links t if its edges allow it; t is not linked. See Note [Convex chains].
-relink :: Frame -> Tree (M.MVector s Int) -> Int -> ST s ()
+relink :: Frame -> Growing s -> Int -> ST s ()
 relink f tree t = do
-  e <- get (lastIn tree) t
-  g <- get (nodes tree) t
-  unless (e == none || g == none) $ do
-    let s = nodeSource f e
-    edge <- get (nodes tree) s
-    ahead <- get (targets tree) t
-    when (edge == e && continues f s t ahead) $ do
-      leaf <- get (leaves tree) e
-      top <- get (tops tree) g
-      put (tops tree) leaf top
-      put (leaves tree) top leaf
-      put (links tree) t 1
+  e <- getNode tree (final (cornerList t))
+  g <- getNode tree (edge t)
+  unless (e == noNode || g == noNode) $ do
+    let !s = nodeSource f e
+    own <- getNode tree (edge s)
+    ahead <- getList tree (target t)
+    when (own == e && continues f s t ahead) $ do
+      deepest <- getNode tree (leaf e)
+      highest <- getNode tree (top g)
+      putNode tree (top deepest) highest
+      putNode tree (leaf highest) deepest
+      put tree (link t) 1
 
 -- | Do the edge from s into t and the edge from t to its target bound a common empty region from below?
-continues :: Frame -> Int -> Int -> Int -> Bool
+continues :: Frame -> Int -> Int -> List -> Bool
 continues f s t ahead =
-  not (separates (following f t))
-    && not (separates (preceding f t))
-    && (toCeiling || turnOf s t ahead /= RightTurn)
-  where
-    turnOf = turn (framePoints f)
-    toCeiling = ahead >= frameSize f
-    -- A swept forward side below the edge out of t.
-    separates x = comesBefore f t x && x /= ahead && (toCeiling || turnOf t x ahead == LeftTurn)
+  not (separates f t ahead (following f t))
+    && not (separates f t ahead (preceding f t))
+    && (not (isCornerList ahead) || turnIn f s t (listOwner ahead) /= RightTurn)
 
--- | What 'links' must say of t.
-linkable :: Frame -> Tree (U.Vector Int) -> Int -> Bool
-linkable f tree t =
-  e /= none && nodes tree U.! t /= none && isTreeEdge f tree e && continues f (nodeSource f e) t (targets tree U.! t)
+-- | Is the side from t to x a swept forward side below the edge from t to its target?
+separates :: Frame -> Int -> List -> Int -> Bool
+separates f t ahead x =
+  comesBefore f t x && (not (isCornerList ahead) || x /= listOwner ahead && turnIn f t x (listOwner ahead) == LeftTurn)
+{-# INLINE separates #-}
+
+-- | What 'link' must say of t.
+linkable :: Frame -> Table -> Int -> Bool
+linkable f table t =
+  e /= noNode
+    && nodeAt table (edge t) /= noNode
+    && isTreeEdge f table e
+    && continues f (nodeSource f e) t (listAt table (target t))
   where
-    e = lastIn tree U.! t
+    e = nodeAt table (final (cornerList t))
 
 -- | Splits the chain with this leaf and top at the linked corner t.
-cut :: Tree (M.MVector s Int) -> Int -> Int -> Int -> ST s ()
-cut tree t leaf top = do
-  e <- get (lastIn tree) t
-  g <- get (nodes tree) t
-  put (leaves tree) e leaf
-  put (tops tree) leaf e
-  put (tops tree) g top
-  put (leaves tree) top g
-  put (links tree) t 0
+cut :: Growing s -> Int -> Node -> Node -> ST s ()
+cut tree t deepest highest = do
+  e <- getNode tree (final (cornerList t))
+  g <- getNode tree (edge t)
+  putNode tree (leaf e) deepest
+  putNode tree (top deepest) e
+  putNode tree (top g) highest
+  putNode tree (leaf highest) g
+  put tree (link t) 0
 
--- | Puts a node into the list of t after the node e, or in front for 'none'.
-insertAfter :: Tree (M.MVector s Int) -> Int -> Int -> Int -> ST s ()
-insertAfter tree t e node = do
-  above <- if e == none then get (firstIn tree) t else get (upperNode tree) e
-  put (lowerNode tree) node e
-  put (upperNode tree) node above
-  if e == none then put (firstIn tree) t node else put (upperNode tree) e node
-  if above == none then put (lastIn tree) t node else put (lowerNode tree) above node
+-- | Puts a node into a list after the node e, or in front for 'noNode'.
+insertAfter :: Growing s -> List -> Node -> Node -> ST s ()
+insertAfter tree l e node = do
+  above <- getNode tree (if e == noNode then first l else upper e)
+  putNode tree (lower node) e
+  putNode tree (upper node) above
+  putNode tree (if e == noNode then first l else upper e) node
+  putNode tree (if above == noNode then final l else lower above) node
 
--- | Takes a node out of the list of t.
-unlink :: Tree (M.MVector s Int) -> Int -> Int -> ST s ()
-unlink tree t node = do
-  below <- get (lowerNode tree) node
-  above <- get (upperNode tree) node
-  if below == none then put (firstIn tree) t above else put (upperNode tree) below above
-  if above == none then put (lastIn tree) t below else put (lowerNode tree) above below
-
-get :: M.MVector s Int -> Int -> ST s Int
-get = M.read
-{-# INLINE get #-}
-
-put :: M.MVector s Int -> Int -> Int -> ST s ()
-put = M.write
-{-# INLINE put #-}
+-- | Takes a node out of a list.
+unlink :: Growing s -> List -> Node -> ST s ()
+unlink tree l node = do
+  below <- getNode tree (lower node)
+  above <- getNode tree (upper node)
+  putNode tree (if below == noNode then first l else upper below) above
+  putNode tree (if above == noNode then final l else lower above) below

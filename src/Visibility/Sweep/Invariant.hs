@@ -9,6 +9,7 @@ import Visibility.Law
 import Visibility.Scene
 import Visibility.Sweep.BruteForce (isElementary)
 import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertical
 
@@ -26,84 +27,92 @@ violations scene state =
     , ensure
         "pending corners are flagged"
         (show (pending state))
-        (isPending state == U.replicate (cornerCount scene) 0 U.// [(p, 1) | p <- pending state])
+        (isPending state == U.replicate (cornerCount scene) 0 U.// [(fromIntegral p, 1) | p <- U.toList (pending state)])
     ]
   where
     trees = [(Rightward, rightTree state), (Leftward, leftTree state)]
 
-type Table = U.Vector Int
-
 -- | The laws of one tree.
-treeViolations :: Scene -> (Heading, Tree Table) -> [Violation]
-treeViolations scene (heading, tree) = concat [concatMap corner [0 .. n - 1], concatMap list [0 .. 2 * n], concatMap chain [0 .. n - 1]]
+treeViolations :: Scene -> (Heading, Table) -> [Violation]
+treeViolations scene (heading, tree) = concat [concatMap corner [0 .. n - 1], concatMap list lists, concatMap chain [0 .. n - 1]]
   where
     f = frame scene heading
     n = cornerCount scene
+    lists = skyList n : map cornerList [0 .. n - 1] <> map ceilingList [0 .. n - 1]
     roof = ceilings (verticalSweep scene heading)
-    at law place = law <> ", " <> show heading <> " tree at " <> show place
+    place law p = law <> ", " <> show heading <> " tree at " <> p
     next p = let CornerId q = nextCorner scene (CornerId p) in q
     previous p = let CornerId q = previousCorner scene (CornerId p) in q
     forwardSides p = [q | q <- [next p, previous p], before heading p q]
 
     corner p =
       concat
-        [ ensure (at "a corner has a node iff it has a target" p) (show (node, target)) ((node == none) == (target == none))
-        , ensure (at "a node comes from its corner" p) (show node) (node == none || nodeSource f node == p)
-        , ensure (at "a tree edge stands in the list of its target" p) (show (node, target)) (target == none || node `elem` members target)
+        [ law "a corner has a node iff it has a target" (show (own, into)) ((own == noNode) == (into == noList))
+        , law "a node comes from its corner" (show own) (own == noNode || nodeSource f own == p)
+        , law "a tree edge stands in the list of its target" (show (own, into)) (into == noList || own `elem` members into)
         , case targetOf scene tree (CornerId p) of
             ToCorner (CornerId q) ->
-              ensure (at "a tree edge is an elementary pair that leads forward" p) (show q) $
+              law "a tree edge is an elementary pair that leads forward" (show q) $
                 before heading p q && isElementary scene (CornerId (min p q)) (CornerId (max p q))
-            ToCeiling (SideId s) -> ensure (at "a ceiling is what the upward ray meets" p) (show s) (roof U.! p == s)
-            ToSky -> ensure (at "the sky is what the upward ray meets" p) "" (roof U.! p == skyCode scene)
+            ToCeiling (SideId s) -> law "a ceiling is what the upward ray meets" (show s) (roof U.! p == s)
+            ToSky -> law "the sky is what the upward ray meets" "" (roof U.! p == skyCode scene)
             NoTarget -> []
-        , ensure (at "a side has its marker in the list of its later corner" p) "" $
-            and [markerOf f p q `elem` members q | q <- forwardSides p]
-        , ensure (at "corners are linked where their edges continue each other" p) "" ((links tree U.! p == 1) == linkable f tree p)
+        , law "a side has its marker in the list of its later corner" "" $
+            and [markerOf f p q `elem` members (cornerList q) | q <- forwardSides p]
+        , law "corners are linked where their edges continue each other" "" ((at tree (link p) == 1) == linkable f tree p)
         ]
       where
-        node = nodes tree U.! p
-        target = targets tree U.! p
+        law name details = ensure (place name (show p)) details
+        own = nodeAt tree (edge p)
+        into = listAt tree (target p)
 
     -- The nodes of a list, from the first on; cut off where it is longer than any list can be.
-    members t = take (2 * n + 1) (walk (firstIn tree U.! t))
-    walk node = if node == none then [] else node : walk (upperNode tree U.! node)
+    members l = take (2 * n + 1) (walk (nodeAt tree (first l)))
+    walk node = if node == noNode then [] else node : walk (nodeAt tree (upper node))
 
-    list t =
+    list l =
       concat
-        [ ensure (at "a list is linked both ways" t) (show inside) $
-            map (lowerNode tree U.!) inside == take (length inside) (none : inside)
-              && lastIn tree U.! t == (if null inside then none else last inside)
-        , ensure (at "a list is in ascending order" t) (show inside) (and (zipWith ascending sources (drop 1 sources)))
-        , ensure (at "a list holds the tree edges to its target and the markers of its sides" t) (show inside) (all belongs inside)
+        [ law "a list is linked both ways" $
+            map (nodeAt tree . lower) inside == take (length inside) (noNode : inside)
+              && nodeAt tree (final l) == foldl (\_ node -> node) noNode inside
+        , law "a list is in ascending order" (and (zipWith ascending sources (drop 1 sources)))
+        , law "a list holds the tree edges to its target and the markers of its sides" (all belongs inside)
         ]
       where
-        inside = members t
+        law name = ensure (place name (show l)) (show inside)
+        inside = members l
         sources = map (nodeSource f) inside
         ascending a b
-          | t < n = turn (scenePoints scene) t a b == LeftTurn
+          | isCornerList l = turn (scenePoints scene) (listOwner l) a b == LeftTurn
           | otherwise = before heading a b
         belongs node
-          | isTreeEdge f tree node = targets tree U.! nodeSource f node == t
-          | otherwise = node >= n && laterEnd node == t
-    laterEnd node = let i = node - n in if nodeSource f node == i then next i else i
+          | isTreeEdge f tree node = listAt tree (target (nodeSource f node)) == l
+          | otherwise = not (isEdgeNode node) && cornerList (laterEnd node) == l
+    laterEnd node = let i = nodeOwner node in if nodeSource f node == i then next i else i
 
     -- The chain with its top at the tree edge of p.
     chain p
-      | node == none || target == none || (target < n && links tree U.! target == 1 && lastIn tree U.! target == node) = []
+      | own == noNode || continued = []
       | otherwise =
-          ensure (at "top and leaf of a chain know each other" p) (show (node, leaf)) $
-            leaves tree U.! node == leaf && tops tree U.! leaf == node
+          ensure (place "top and leaf of a chain know each other" (show p)) (show (own, deepest)) $
+            nodeAt tree (leaf own) == deepest && nodeAt tree (top deepest) == own
       where
-        node = nodes tree U.! p
-        target = targets tree U.! p
-        leaf = descend (2 * n) node
-        descend :: Int -> Int -> Int
-        descend steps e
-          | steps > 0, links tree U.! s == 1 = descend (steps - 1) (lastIn tree U.! s)
+        own = nodeAt tree (edge p)
+        into = listAt tree (target p)
+        continued = isCornerList into && at tree (link (listOwner into)) == 1 && nodeAt tree (final into) == own
+        deepest = descend (2 * n) own
+        descend :: Int -> Node -> Node
+        descend count e
+          | count > 0, at tree (link s) == 1 = descend (count - 1) (nodeAt tree (final (cornerList s)))
           | otherwise = e
           where
             s = nodeSource f e
+
+-- | The corner that a corner's tree edge leads to, where it leads to one.
+cornerAhead :: Scene -> Table -> Int -> Maybe Int
+cornerAhead scene tree p = case targetOf scene tree (CornerId p) of
+  ToCorner (CornerId q) -> Just q
+  _ -> Nothing
 
 -- | No two tree edges cross, whichever trees they belong to.
 planarity :: Scene -> Sweep -> [Violation]
@@ -116,29 +125,28 @@ planarity scene state =
   , apart c d a b
   ]
   where
-    n = cornerCount scene
-    segments = [(min p q, max p q) | tree <- [rightTree state, leftTree state], (p, q) <- zip [0 ..] (U.toList (targets tree)), q >= 0, q < n]
+    segments =
+      [ (min p q, max p q)
+      | tree <- [rightTree state, leftTree state]
+      , CornerId p <- corners scene
+      , Just q <- [cornerAhead scene tree p]
+      ]
     side = turn (scenePoints scene)
     apart a b c d = side a b c /= Collinear && side a b d == opposite (side a b c)
 
--- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser slope, one of the two is pending: so the
--- sweep cannot stop too early.
+-- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser or the same slope, one of the
+-- two is pending: so the sweep cannot stop too early.
 readiness :: Scene -> Sweep -> [Violation]
 readiness scene state =
   [ Violation "a pair that may be swept has a pending corner" (show (p, q))
-  | p <- [0 .. n - 1]
-  , let q = right U.! p
-  , q >= 0
-  , q < n
-  , left U.! q == p
-  , notBefore (right U.! q) (turnOf p q)
-  , notBefore (left U.! p) (turnOf q p)
+  | CornerId p <- corners scene
+  , Just q <- [right p]
+  , left q == Just p
+  , all (later p q) (right q)
+  , all (later q p) (left p)
   , isPending state U.! p == 0 && isPending state U.! q == 0
   ]
   where
-    n = cornerCount scene
-    right = targets (rightTree state)
-    left = targets (leftTree state)
-    turnOf = turn (scenePoints scene)
-    -- Only strictly later neighbours: a collinear one makes a longer line, which may have to wait.
-    notBefore t turning = t < 0 || t >= n || turning t == LeftTurn
+    right = cornerAhead scene (rightTree state)
+    left = cornerAhead scene (leftTree state)
+    later a b c = turn (scenePoints scene) a b c == LeftTurn

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The topological sweep: every vertex of the visibility complex, once, in an order in which each corner's vertices come by
 -- increasing direction.
 --
@@ -20,25 +22,29 @@ module Visibility.Sweep.Topological
   ) where
 
 import Control.Monad.ST (ST, runST)
+import Data.Bits (complement)
+import Data.Int (Int32)
 import Data.List (foldl', unfoldr)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Law (broken)
+import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical
 
 -- | The state of the sweep: what has been swept is implied by the two trees.
 data Sweep = Sweep
-  { rightTree :: !(Tree (U.Vector Int))
+  { rightTree :: !Table
   -- ^ For each corner its next pair to the right.
-  , leftTree :: !(Tree (U.Vector Int))
+  , leftTree :: !Table
   -- ^ For each corner its next pair to the left.
-  , pending :: ![Int]
+  , pending :: !(U.Vector Int32)
   -- ^ The corners at which a vertex may be ready, each once. Empty when the half turn is done.
-  , isPending :: !(U.Vector Int)
+  , isPending :: !(U.Vector Int32)
   -- ^ By corner: 1 where pending.
   , pairsSwept :: !Int
   -- ^ Elementary pairs so far.
@@ -51,7 +57,7 @@ start scene =
   Sweep
     { rightTree = planted Rightward
     , leftTree = planted Leftward
-    , pending = [0 .. cornerCount scene - 1]
+    , pending = U.generate (cornerCount scene) fromIntegral
     , isPending = U.replicate (cornerCount scene) 1
     , pairsSwept = 0
     }
@@ -91,92 +97,157 @@ trace :: Scene -> [(Vertex, Sweep)]
 trace scene = unfoldr (fmap (\(vertex, state) -> ((vertex, state), state)) . step scene) (start scene)
 
 -- | Chain steps of both trees: the work of the sweep besides O(1) per pair.
-stepsTaken :: Sweep -> Int
-stepsTaken state = chainSteps (rightTree state) + chainSteps (leftTree state)
+stepsTaken :: Scene -> Sweep -> Int
+stepsTaken scene state = chainSteps scene (rightTree state) + chainSteps scene (leftTree state)
 
--- | Up to so many vertices and the state after them; fewer only at the end.
+-- | Up to so many vertices and the state after them; none only at the end.
 steps :: Scene -> Int -> Sweep -> ([Vertex], Sweep)
-steps scene count state = runST $ do
-  right <- traverse U.thaw (rightTree state)
-  left <- traverse U.thaw (leftTree state)
-  waiting <- U.thaw (isPending state)
-  (found, rest, swept) <- run scene (Running right left waiting) count (pending state) (pairsSwept state)
-  right' <- traverse U.unsafeFreeze right
-  left' <- traverse U.unsafeFreeze left
-  waiting' <- U.unsafeFreeze waiting
-  pure (found, Sweep right' left' rest waiting' swept)
-
--- | The state while it changes.
-data Running s = Running !(Tree (M.MVector s Int)) !(Tree (M.MVector s Int)) !(M.MVector s Int)
-
--- | Takes corners off the stack until so many vertices have been swept.
-run :: Scene -> Running s -> Int -> [Int] -> Int -> ST s ([Vertex], [Int], Int)
-run scene (Running right left waiting) = go []
+steps scene count state = (decoded found, state')
   where
     n = cornerCount scene
+    (found, state') = runST $ do
+      right <- thawed (rightTree state)
+      left <- thawed (leftTree state)
+      waiting <- U.thaw (isPending state)
+      stack <- U.thaw (pending state <> U.replicate (n - U.length (pending state)) 0)
+      written <- M.new (2 * count + n)
+      (size, depth, swept) <-
+        run scene (Running right left waiting stack written) count (U.length (pending state)) (pairsSwept state)
+      right' <- frozen right
+      left' <- frozen left
+      waiting' <- U.unsafeFreeze waiting
+      stack' <- U.unsafeFreeze stack
+      written' <- U.unsafeFreeze written
+      pure (U.take size written', Sweep right' left' (U.force (U.take depth stack')) waiting' swept)
+
+-- | The state while it changes: both trees; which corners are pending; the pending corners; and the vertices found, their corners
+-- one after the other, the last of each as its complement, so that nothing of it is traced by the garbage collector.
+data Running s
+  = Running !(Growing s) !(Growing s) !(M.MVector s Int32) !(M.MVector s Int32) !(M.MVector s Int32)
+
+-- | The vertices written by 'run', lazily.
+decoded :: U.Vector Int32 -> [Vertex]
+decoded written = from 0
+  where
+    from i
+      | i >= U.length written = []
+      | otherwise = let (rest, next) = others (i + 2) (corner (i + 1)) in Vertex (cornerId i) (cornerId (i + 1)) rest : from next
+    others i previous
+      | previous < 0 = ([], i)
+      | otherwise = let (rest, next) = others (i + 1) (corner i) in (cornerId i : rest, next)
+    corner i = written U.! i
+    cornerId i = let c = corner i in CornerId (fromIntegral (if c < 0 then complement c else c))
+
+-- | Takes corners off the stack until so many vertices have been swept, or there is no room to write another. Gives the size
+-- of what has been written, the depth of the stack and the number of pairs swept.
+run :: Scene -> Running s -> Int -> Int -> Int -> ST s (Int, Int, Int)
+run scene (Running right left waiting stack written) = go 0
+  where
+    n = cornerCount scene
+    points = scenePoints scene
     rightward = frame scene Rightward
     leftward = frame scene Leftward
+    room = M.length written - n
 
-    go found count stack swept
-      | count <= 0 = pure (reverse found, stack, swept)
+    go !size !count !depth !swept
+      | count <= 0 || depth <= 0 || size > room = pure (size, depth, swept)
       | swept > n * (n - 1) `div` 2 = broken "each elementary pair is swept once" (show swept)
-      | otherwise = case stack of
-          [] -> pure (reverse found, [], swept)
-          p : rest -> do
-            M.write waiting p 0
-            toRight <- M.read (targets right) p
-            ready <- if isCorner toRight then readyLine scene right left p toRight else pure Nothing
-            ready' <- case ready of
-              Just line -> pure (Just line)
-              Nothing -> do
-                toLeft <- M.read (targets left) p
-                if isCorner toLeft then readyLine scene right left toLeft p else pure Nothing
-            case ready' of
-              Nothing -> go found count rest swept
-              Just line -> do
-                sweepLine rightward right line
-                sweepLine leftward left (reverse line)
-                stack' <- push rest line
-                case fromCorners (map CornerId line) of
-                  Just vertex -> go (vertex : found) (count - 1) stack' (swept + length line - 1)
-                  Nothing -> broken "a vertex has two corners" (show line)
+      | otherwise = do
+          top' <- M.read stack (depth - 1)
+          let !p = fromIntegral top'
+          M.write waiting p 0
+          found <- readyAt points right left p
+          case found of
+            NotReady -> go size count (depth - 1) swept
+            Ready leftmost k -> do
+              write size leftmost k
+              let line i = M.read written i >>= \c -> pure $! fromIntegral c
+              sweepLine rightward right k (\i -> line (size + i))
+              sweepLine leftward left k (\i -> line (size + k - 1 - i))
+              depth' <- push (depth - 1) size (size + k)
+              M.modify written complement (size + k - 1)
+              go (size + k) (count - 1) depth' (swept + k - 1)
 
-    push stack [] = pure stack
-    push stack (p : line) = do
-      already <- M.read waiting p
-      if already == 1
-        then push stack line
-        else M.write waiting p 1 >> push (p : stack) line
+    write !i !c !k
+      | k <= 0 = pure ()
+      | otherwise = do
+          M.write written i (fromIntegral c)
+          l <- getList right (target c)
+          write (i + 1) (listOwner l) (k - 1 :: Int)
 
-    isCorner t = t >= 0 && t < n
+    push !depth !i !end
+      | i >= end = pure depth
+      | otherwise = do
+          p <- M.read written i
+          already <- M.read waiting (fromIntegral p)
+          if already == 1
+            then push depth (i + 1) end
+            else do
+              M.write waiting (fromIntegral p) 1
+              M.write stack depth p
+              push (depth + 1) (i + 1) end
 
--- | All corners on the line of p and q, from left to right, if this is a vertex that may be swept now: each edge of the line
--- is the next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
-readyLine :: Scene -> Tree (M.MVector s Int) -> Tree (M.MVector s Int) -> Int -> Int -> ST s (Maybe [Int])
-readyLine scene right left p q = do
-  there <- M.read (targets right) p
-  back <- M.read (targets left) q
-  if there /= q || back /= p
-    then pure Nothing
+-- | Is there a vertex to be swept at a corner?
+data Readiness
+  = NotReady
+  | -- | With this leftmost corner and so many corners.
+    Ready !Int !Int
+
+-- | Looks at the next pair of p to the right, then at that to the left.
+readyAt :: Points -> Growing s -> Growing s -> Int -> ST s Readiness
+readyAt points right left p = do
+  l <- getList right (target p)
+  onRight <- if isCorner l then readyLine points right left p (listOwner l) else pure NotReady
+  case onRight of
+    Ready _ _ -> pure onRight
+    NotReady -> do
+      l' <- getList left (target p)
+      if isCorner l' then readyLine points right left (listOwner l') p else pure NotReady
+
+isCorner :: List -> Bool
+isCorner l = l /= noList && isCornerList l
+{-# INLINE isCorner #-}
+
+-- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of its
+-- corners, and no other unswept pair at its ends has a lesser slope.
+readyLine :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
+readyLine points right left p q = do
+  there <- getList right (target p)
+  back <- getList left (target q)
+  if there /= cornerList q || back /= cornerList p
+    then pure NotReady
     else do
-      onRight <- extend right left p q
+      onRight <- beyond points right left p q
       case onRight of
-        Nothing -> pure Nothing
-        Just more -> do
-          onLeft <- extend left right q p
-          pure (fmap (\others -> reverse others <> (p : q : more)) onLeft)
+        Wait -> pure NotReady
+        Further _ i -> do
+          onLeft <- beyond points left right q p
+          pure $ case onLeft of
+            Wait -> NotReady
+            Further leftmost j -> Ready leftmost (i + j + 2)
+
+-- | What follows on a line.
+data Beyond
+  = -- | Something else must be swept first.
+    Wait
+  | -- | The last corner, and how many there are beyond the one asked about.
+    Further !Int !Int
+
+-- | The corners beyond b on the line from a to b, in the direction of the first tree; the second is the opposite one.
+beyond :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Beyond
+beyond points ahead behind !a !b = do
+  l <- getList ahead (target b)
+  let !c = listOwner l
+  if not (isCorner l)
+    then pure (Further b 0)
+    else case turn points a b c of
+      LeftTurn -> pure (Further b 0)
+      RightTurn -> pure Wait
+      Collinear -> do
+        mutual <- getList behind (target c)
+        if mutual /= cornerList b
+          then pure Wait
+          else oneMore <$> beyond points ahead behind b c
   where
-    n = cornerCount scene
-    -- The corners beyond b on the line from a to b, nearest first; 'Nothing' where something must be swept before.
-    extend ahead behind a b = do
-      c <- M.read (targets ahead) b
-      if c < 0 || c >= n
-        then pure (Just [])
-        else case turn (scenePoints scene) a b c of
-          LeftTurn -> pure (Just [])
-          RightTurn -> pure Nothing
-          Collinear -> do
-            mutual <- M.read (targets behind) c
-            if mutual /= b
-              then pure Nothing
-              else fmap (c :) <$> extend ahead behind b c
+    oneMore Wait = Wait
+    oneMore (Further d count) = Further d (count + 1)

@@ -12,18 +12,25 @@ data Triple = Triple Vector2 Vector2 Vector2
 
 instance Arbitrary Triple where
   arbitrary = do
-    extent <- elements ([4, 1000] <> [2 ^ k + d | k <- [31, 32, 52, 53, 54, 60, 63, 106, 200, 1100 :: Int], d <- [-1, 0, 1]] <> [10 ^ (30 :: Int)])
+    extent <- elements ([4, 1000] <> [ 2 ^ k + d
+                                     | k <- [31, 32, 52, 53, 54, 60, 63, 106, 200, 1100 :: Int]
+                                     , d <- [-1, 0, 1]
+                                     ] <> [10 ^ (30 :: Int)])
     a <- point extent
     b <- point extent
     c <- oneof [point extent, onLine a b, nearLine a b, atEdge extent]
     elements [Triple a b c, Triple c a b, Triple b c a, Triple a c b]
     where
-      coordinate extent = frequency [(3, choose (0, extent)), (1, elements [0, 1, extent - 1, extent]), (1, choose (0, min extent 9))]
+      coordinate extent = frequency [ (3, choose (0, extent))
+                                    , (1, elements [0, 1, extent - 1, extent])
+                                    , (1, choose (0, min extent 9))
+                                    ]
       point extent = Vector2 <$> coordinate extent <*> coordinate extent
       atEdge extent = Vector2 <$> elements [0, extent] <*> elements [0, extent]
       -- Exactly on the line: between the two, where the displacement is divisible.
       onLine (Vector2 ax ay) (Vector2 bx by) =
-        let g = max 1 (gcd (bx - ax) (by - ay)) in (\k -> Vector2 (ax + k * ((bx - ax) `quot` g)) (ay + k * ((by - ay) `quot` g))) <$> choose (0, g)
+        let g = max 1 (gcd (bx - ax) (by - ay))
+         in (\k -> Vector2 (ax + k * ((bx - ax) `quot` g)) (ay + k * ((by - ay) `quot` g))) <$> choose (0, g)
       -- Rounded from the line, and a step beside it or none.
       nearLine (Vector2 ax ay) (Vector2 bx by) = do
         k <- choose (0, 1000)
@@ -59,7 +66,12 @@ spec = do
       it "is collinear where two corners are one" $
         property $ \t ->
           let p = under arithmetic t
-           in [turn p i j k | i <- [0 .. 2], j <- [0 .. 2], k <- [0 .. 2], i == j || j == k || i == k] === replicate 21 Collinear
+           in [ turn p i j k
+              | i <- [0 .. 2]
+              , j <- [0 .. 2]
+              , k <- [0 .. 2]
+              , i == j || j == k || i == k
+              ] === replicate 21 Collinear
       it "sees a difference of one in two hundred bits" $
         let k = 2 ^ (200 :: Int)
             third d = pointsOn arithmetic [Vector2 0 0, Vector2 k k, Vector2 (2 * k) (2 * k + d)]
@@ -104,7 +116,8 @@ spec = do
       [isPositiveDot (Direction 1 0) (Direction x 1) | x <- [-1, 0, 1]] `shouldBe` [False, False, True]
   describe "opposite" $
     it "undoes itself and leaves collinear alone" $
-      (map (opposite . opposite) [minBound .. maxBound], opposite Collinear) `shouldBe` ([minBound .. maxBound], Collinear)
+      (map (opposite . opposite) [minBound .. maxBound], opposite Collinear)
+        `shouldBe` ([minBound .. maxBound], Collinear)
   where
     flipped o = case o of LT -> GT; EQ -> EQ; GT -> LT
 
@@ -113,7 +126,10 @@ newtype Line = Line Direction
   deriving (Show)
 
 instance Arbitrary Line where
-  arbitrary = Line <$> oneof [Direction <$> choose (1, 5) <*> choose (-5, 5), Direction <$> choose (1, 10 ^ (30 :: Int)) <*> choose (-10, 10), pure upwards]
+  arbitrary = Line <$> oneof [ Direction <$> choose (1, 5) <*> choose (-5, 5)
+                             , Direction <$> choose (1, 10 ^ (30 :: Int)) <*> choose (-10, 10)
+                             , pure upwards
+                             ]
 
 -- | An order-preserving stand-in for the angle: the slope, infinite upwards.
 angle :: Direction -> Either Rational ()
@@ -126,8 +142,8 @@ fibonacciFractions = take 80 (zip fibonacci (drop 1 fibonacci))
   where
     fibonacci = 1 : 2 : zipWith (+) fibonacci (drop 1 fibonacci)
 
--- | Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness problems in geometric computations: a corner a
--- few units of the last place beside (1/2, 1/2), seen against (12, 12) and (24, 24).
+-- | Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness problems in geometric computations: a
+-- corner a few units of the last place beside (1/2, 1/2), seen against (12, 12) and (24, 24).
 classroom :: [(Integer, Integer)]
 classroom = [(x, y) | x <- [0, 5 .. 255], y <- [0, 3 .. 255]]
 

@@ -30,7 +30,8 @@ spec = do
         `shouldBe` Right
           RawScene
             { rawName = Just "two rooms"
-            , rawEnclosure = Just (rawPolygon (points [(0, 0), (10, 0), (10, 8), (0, 8)])) {rawMaterial = Material 0 (7 % 10)}
+            , rawEnclosure =
+                Just (rawPolygon (points [(0, 0), (10, 0), (10, 8), (0, 8)])) {rawMaterial = Material 0 (7 % 10)}
             , rawPolygons =
                 [ RawPolygon
                     (Just "lamp")
@@ -46,23 +47,30 @@ spec = do
     it "reports every fault of shape, in order" $
       readScene "a" "{\"polygons\": [[[0, null], [1]], 7], \"x\": 0}"
         `shouldBe` Left
-          ( UnparseableFile "a" (ShapeError Root (UnknownKey "x" ["format", "name", "enclosure", "polygons"]))
-              :| [ UnparseableFile "a" (ShapeError (Item (Item (Item polygons 0) 0) 1) (WrongKind FoundNull WantedNumber))
-                 , UnparseableFile "a" (ShapeError (Item (Item polygons 0) 1) (WrongKind (FoundList 1) WantedCorner))
-                 , UnparseableFile "a" (ShapeError (Item polygons 1) (WrongKind (FoundNumber "7") WantedPolygon))
-                 ]
+          ( fmap
+              (UnparseableFile "a" . uncurry ShapeError)
+              ( (Root, UnknownKey "x" ["format", "name", "enclosure", "polygons"])
+                  :| [ (Item (Item (Item polygons 0) 0) 1, WrongKind FoundNull WantedNumber)
+                     , (Item (Item polygons 0) 1, WrongKind (FoundList 1) WantedCorner)
+                     , (Item polygons 1, WrongKind (FoundNumber "7") WantedPolygon)
+                     ]
+              )
           )
     it "leaves to validation what has the shape of a scene" $
       readScene "a" "{\"polygons\": [{\"corners\": [], \"emission\": -1, \"sides\": {\"-7\": {}}}]}"
         `shouldBe` Right
-          (RawScene Nothing Nothing [RawPolygon Nothing [] (Material (-1) 0) (Map.fromList [(-7, MaterialOverride Nothing Nothing)])])
+          ( RawScene
+              Nothing
+              Nothing
+              [RawPolygon Nothing [] (Material (-1) 0) (Map.fromList [(-7, MaterialOverride Nothing Nothing)])]
+          )
   describe "sceneDocument" $ do
     prop "readScene file (bytes (sceneDocument raw)) == Right raw" $
       forAll rawScenes $ \raw ->
         let bytes = written raw in counterexample (Chars.unpack bytes) (readScene "a" bytes === Right raw)
     prop "is JSON to aeson" $
       forAll rawScenes $ \raw ->
-        either (\e -> counterexample e False) (const (property True)) (Aeson.eitherDecodeStrict (written raw) :: Either String Aeson.Value)
+        either (`counterexample` False) (const (property True)) (asValue (written raw))
     it "writes a polygon to a line, and no defaults" $
       fmap written (readScene "a" contract)
         `shouldBe` Right
@@ -70,7 +78,8 @@ spec = do
           \  \"name\": \"two rooms\",\n\
           \  \"enclosure\": {\"corners\": [[0,0],[10,0],[10,8],[0,8]], \"reflectivity\": 0.7},\n\
           \  \"polygons\": [\n\
-          \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",2],[1,2],[1,2.5]], \"emission\": 1, \"reflectivity\": 0.5, \"sides\": {\"2\": {\"emission\": 0}}},\n\
+          \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",2],[1,2],[1,2.5]], \"emission\": 1, \"reflectivity\": 0.5, \
+          \\"sides\": {\"2\": {\"emission\": 0}}},\n\
           \    [[4,4],[6,4],[5,6]]\n\
           \  ] }\n"
   describe "readSceneFile" $ do
@@ -94,6 +103,7 @@ spec = do
       geo <- readSceneFile "a.GeoJSON"
       fmap cornerCount geo `shouldBe` Left (UnparseableFile "a.GeoJSON" (FormatNotReadYet GeoJson) :| [])
   where
+    asValue = Aeson.eitherDecodeStrict :: Bytes.ByteString -> Either String Aeson.Value
     polygons = Key Root "polygons"
     withFile' name bytes act = withSystemTempDirectory "scenes" $ \dir -> do
       Bytes.writeFile (dir </> name) bytes
@@ -110,7 +120,8 @@ contract =
   "{ \"format\": \"viscomplex/1\", \"name\": \"two rooms\",\n\
   \  \"enclosure\": {\"corners\": [[0,0],[10,0],[10,8],[0,8]], \"reflectivity\": \"0.7\"},\n\
   \  \"polygons\": [\n\
-  \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",\"2\"],[1,2],[1,\"2.5\"]], \"emission\": 1, \"reflectivity\": \"1/2\",\n\
+  \    {\"name\": \"lamp\", \"corners\": [[\"1/3\",\"2\"],[1,2],[1,\"2.5\"]], \"emission\": 1,\n\
+  \     \"reflectivity\": \"1/2\",\n\
   \     \"sides\": {\"2\": {\"emission\": 0}}},\n\
   \    [[4,4],[6,4],[5,6]]\n\
   \  ] }\n"
@@ -119,9 +130,12 @@ contract =
 rawScenes :: Gen RawScene
 rawScenes = RawScene <$> names <*> perhaps polygon <*> upTo 4 polygon
   where
-    polygon = RawPolygon <$> names <*> upTo 5 (Point <$> numbers <*> numbers) <*> (Material <$> numbers <*> numbers) <*> overrides
-    overrides = Map.fromList <$> upTo 3 ((,) <$> arbitrary <*> (MaterialOverride <$> perhaps numbers <*> perhaps numbers))
-    names = perhaps (Text.pack <$> listOf (frequency [(5, arbitrary), (5, choose ('a', 'z')), (1, elements "\"\\/\0\n\119070")]))
+    polygon = RawPolygon <$> names <*> upTo 5 corner <*> (Material <$> numbers <*> numbers) <*> overrides
+    corner = Point <$> numbers <*> numbers
+    overrides = Map.fromList <$> upTo 3 ((,) <$> arbitrary <*> override)
+    override = MaterialOverride <$> perhaps numbers <*> perhaps numbers
+    names = perhaps (Text.pack <$> listOf character)
+    character = frequency [(5, arbitrary), (5, choose ('a', 'z')), (1, elements "\"\\/\0\n\119070")]
     perhaps g = oneof [pure Nothing, Just <$> g]
     upTo n g = choose (0, n :: Int) >>= \k -> vectorOf k g
     numbers =

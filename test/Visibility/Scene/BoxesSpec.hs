@@ -23,8 +23,9 @@ spec = modifyMaxSuccess (* 5) $ do
         === [i | (i, b) <- zip [0 ..] boxes, b `boxContains` inner]
   prop "enclosingBox contains all, and is the smallest that does" $
     forAll (listOf1 (box 9)) $ \boxes ->
-      let Box l r b t = enclosingBox boxes
-       in (l, r, b, t) === (minimum (map boxLeft boxes), maximum (map boxRight boxes), minimum (map boxBottom boxes), maximum (map boxTop boxes))
+      let least part = minimum (map part boxes)
+          greatest part = maximum (map part boxes)
+       in enclosingBox boxes === Box (least boxLeft) (greatest boxRight) (least boxBottom) (greatest boxTop)
   it "a box around nothing overlaps nothing" $
     boxesOverlap (enclosingBox []) (Box (-1000) 1000 (-1000) 1000) `shouldBe` False
   where

@@ -1,6 +1,6 @@
 module Visibility.Scene.DisjointSpec (spec) where
 
-import Data.List (nub)
+import Data.List (nub, tails)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
@@ -10,11 +10,13 @@ import Visibility.Scene.Disjoint
 
 spec :: Spec
 spec = modifyMaxSuccess (* 20) $ do
-  prop "boundaries: Meet exactly when meeting is not Apart for two segments without a common corner, or two corners are in one place" $
+  prop ("boundaries: Meet exactly when meeting is not Apart for two segments without a common corner, "
+         <> "or two corners are in one place") $
     forAll walls $ \places -> agrees places [Segment i (i + 1) | i <- [0, 2 .. length places - 2]]
   prop "the same for triangles" $
     forAll triangles $ \places ->
-      agrees places (concat [[Segment i (i + 1), Segment (i + 1) (i + 2), Segment (i + 2) i] | i <- [0, 3 .. length places - 3]])
+      agrees places $
+        concat [[Segment i (i + 1), Segment (i + 1) (i + 2), Segment (i + 2) i] | i <- [0, 3 .. length places - 3]]
   prop "the same for a line of segments" $
     forAll paths $ \places -> agrees places [Segment i (i + 1) | i <- [0 .. length places - 2]]
   where
@@ -23,8 +25,8 @@ spec = modifyMaxSuccess (* 20) $ do
           used = [0 .. length places - 1]
           meets =
             or [samePlace r i j | i <- used, j <- used, i < j]
-              || or [meeting r s t /= Apart | (k, s) <- zip [0 :: Int ..] segments, t <- drop (k + 1) segments, apart s t]
-       in cover 10 meets "meet" $
+              || or [meeting r s t /= Apart | s : later <- tails segments, t <- later, apart s t]
+       in cover 5 meets "meet" $
             cover 10 (not meets) "disjoint" $
               boundaries r segments === (if meets then Meet else Disjoint)
     apart (Segment a b) (Segment c d) = all (`notElem` [c, d]) [a, b]
@@ -42,7 +44,8 @@ spec = modifyMaxSuccess (* 20) $ do
     near width n = do
       Vector2 x y <- place width
       reach <- elements [2, 4, 9]
-      vectorOf n ((\(Vector2 dx dy) -> Vector2 (x + dx) (y + dy)) <$> place reach) `suchThat` (\c -> length (nub c) == n)
+      let corner = (\(Vector2 dx dy) -> Vector2 (x + dx) (y + dy)) <$> place reach
+      vectorOf n corner `suchThat` (\c -> length (nub c) == n)
     paths = do
       n <- choose (2, 7)
       width <- elements [4, 9]

@@ -3,7 +3,7 @@ module Visibility.Scene.Oracle
   ( naiveErrors
   ) where
 
-import Data.List (findIndex)
+import Data.List (elemIndex)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Visibility.Error
@@ -58,7 +58,7 @@ own (p, corners) = repeats <> (if isFlat then [ZeroArea p] else spikes <> touche
     indexed = zip [0 ..] corners
     corner k = corners !! (k `mod` n)
     isFlat = n > 2 && and [cross a b c == 0 | a <- corners, b <- corners, c <- corners]
-    repeats = [RepeatedCorner (CornerName p k) j c | (k, c) <- indexed, Just j <- [findIndex (== c) corners], j < k]
+    repeats = [RepeatedCorner (CornerName p k) j c | (k, c) <- indexed, Just j <- [elemIndex c corners], j < k]
     spikes =
       [ Spike (CornerName p k) c
       | n > 2
@@ -90,13 +90,19 @@ between (p, as) (q, bs)
   where
     contacts =
       [CornerOnCorner (CornerName p j) (CornerName q k) a | (j, a) <- zip [0 ..] as, (k, b) <- zip [0 ..] bs, a == b]
-        <> [CornerOnSide (CornerName p j) (SideName q s) a | (j, a) <- zip [0 ..] as, (s, side) <- sidesOf bs, liesOn a side]
-        <> [CornerOnSide (CornerName q k) (SideName p s) b | (k, b) <- zip [0 ..] bs, (s, side) <- sidesOf as, liesOn b side]
+        <> cornersOnSides p as q bs
+        <> cornersOnSides q bs p as
         <> [ CrossingSides (SideName p s) (SideName q t)
            | (s, side) <- sidesOf as
            , (t, other) <- sidesOf bs
            , crosses side other
            ]
+    cornersOnSides c cs s ss =
+      [ CornerOnSide (CornerName c j) (SideName s k) corner
+      | (j, corner) <- zip [0 ..] cs
+      , (k, side) <- sidesOf ss
+      , liesOn corner side
+      ]
     positions
       | q == Enclosure = [OutsideEnclosure p | not (all collinear bs), not (as `inside` bs)]
       | otherwise = [NestedPolygon p q | as `inside` bs] <> [NestedPolygon q p | bs `inside` as]

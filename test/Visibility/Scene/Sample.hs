@@ -115,7 +115,13 @@ clutteredScenes = do
   RawScene Nothing <$> frequency [(2, pure Nothing), (1, Just <$> room)] <*> vectorOf k polygon
   where
     room = frequency [(3, rawPolygon <$> box (whole 0 1) (whole 6 9)), (1, scribble), (1, placed)]
-    polygon = frequency [(3, placed), (2, scribble), (1, rawPolygon <$> box coordinate coordinate), (1, wronged)]
+    polygon = frequency [(3, placed), (2, scribble), (1, straight), (2, boxed), (1, wronged)]
+    boxed = rawPolygon <$> box coordinate coordinate
+    -- All corners on a line, in any order.
+    straight = do
+      (x, dx, dy) <- (,,) <$> coordinate <*> whole 0 1 <*> whole 0 1
+      along <- choose (2, 6) >>= \n -> vectorOf n coordinate
+      pure (rawPolygon [at (x + t * dx) (t * dy) | t <- along])
     box low high = do
       (x, y, x', y') <- (,,,) <$> low <*> low <*> high <*> high
       pure (map (uncurry at) [(x, y), (x', y), (x', y'), (x, y')])
@@ -131,6 +137,7 @@ clutteredScenes = do
     wronged = do
       polygon' <- placed
       material <- Material <$> values <*> values
-      sides <- choose (0, 2 :: Int) >>= \n -> vectorOf n ((,) <$> choose (-1, 4) <*> (MaterialOverride <$> perhaps values <*> perhaps values))
+      let override = MaterialOverride <$> perhaps values <*> perhaps values
+      sides <- choose (0, 2 :: Int) >>= \n -> vectorOf n ((,) <$> choose (-1, 4) <*> override)
       pure polygon' {rawMaterial = material, rawSides = Map.fromList sides}
     values = elements [0, 1 % 2, 1, -1 % 2, 3]

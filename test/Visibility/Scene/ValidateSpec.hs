@@ -44,10 +44,17 @@ spec = do
     prop "keep their corners under the file's names" $
       forAllValid $ \raw scene ->
         sort [(cornerName scene c, cornerPoint scene c) | c <- corners scene]
-          === sort [(CornerName p k, point) | (p, polygon) <- polygonsOf raw, (k, point) <- zip [0 ..] (rawCorners polygon)]
+          === sort
+            [ (CornerName p k, point)
+            | (p, polygon) <- polygonsOf raw
+            , (k, point) <- zip [0 ..] (rawCorners polygon)
+            ]
     prop "name sides by the file's corners k and k+1" $
       forAllValid $ \raw scene ->
-        Map.fromList [(sideName scene s, Set.fromList (map (cornerName scene) [sideStart s, sideEnd scene s])) | s <- sides scene]
+        Map.fromList
+          [ (sideName scene s, Set.fromList (map (cornerName scene) [sideStart s, sideEnd scene s]))
+          | s <- sides scene
+          ]
           === Map.fromList
             [ (SideName p k, Set.fromList [CornerName p k, CornerName p ((k + 1) `mod` n)])
             | (p, polygon) <- polygonsOf raw
@@ -84,7 +91,9 @@ spec = do
         (surroundings scene, sceneTitle scene) === (maybe OpenSky (const Room) (rawEnclosure raw), rawName raw)
   describe "validate: a defect in a valid scene is found and named" $
     mapM_
-      (\(name, inject) -> prop name $ forAll (validScenes >>= \raw -> (,) raw <$> defective inject raw) $ \(_, (raw, expected)) -> errorsOf raw === expected)
+      ( \(name, defect) ->
+          prop name $ forAll (validScenes >>= defective defect) $ \(raw, expected) -> errorsOf raw === expected
+      )
       defects
   describe "validate: one scene, one answer" $ do
     prop "turning the corners of a polygon around changes no verdict" $
@@ -103,16 +112,19 @@ spec = do
     let tiny = 1 % 10 ^ (40 :: Int)
         square = rawPolygon [at 0 0, at 1 0, at 1 1, at 0 1]
         pair' gap = RawScene Nothing Nothing [square, rawPolygon [at (1 + gap) (1 % 3), at 2 0, at 2 1]]
-        walls gap = RawScene Nothing Nothing [rawPolygon [at 0 0, at 3 1], rawPolygon [at 0 2, at (3 % 2) (1 % 2 + gap)]]
+        walls gap =
+          RawScene Nothing Nothing [rawPolygon [at 0 0, at 3 1], rawPolygon [at 0 2, at (3 % 2) (1 % 2 + gap)]]
+        corner p = CornerName (Obstacle p)
+        side p = SideName (Obstacle p)
     it "beside a square" $ do
       errorsOf (pair' tiny) `shouldBe` []
-      errorsOf (pair' 0) `shouldBe` [CornerOnSide (CornerName (Obstacle 1) 0) (SideName (Obstacle 0) 1) (at 1 (1 % 3))]
+      errorsOf (pair' 0) `shouldBe` [CornerOnSide (corner 1 0) (side 0 1) (at 1 (1 % 3))]
       errorsOf (pair' (-tiny))
-        `shouldBe` [CrossingSides (SideName (Obstacle 0) 1) (SideName (Obstacle 1) 0), CrossingSides (SideName (Obstacle 0) 1) (SideName (Obstacle 1) 2)]
+        `shouldBe` [CrossingSides (side 0 1) (side 1 0), CrossingSides (side 0 1) (side 1 2)]
     it "beside a wall" $ do
       errorsOf (walls tiny) `shouldBe` []
-      errorsOf (walls 0) `shouldBe` [CornerOnSide (CornerName (Obstacle 1) 1) (SideName (Obstacle 0) 0) (at (3 % 2) (1 % 2))]
-      errorsOf (walls (-tiny)) `shouldBe` [CrossingSides (SideName (Obstacle 0) 0) (SideName (Obstacle 1) 0)]
+      errorsOf (walls 0) `shouldBe` [CornerOnSide (corner 1 1) (side 0 0) (at (3 % 2) (1 % 2))]
+      errorsOf (walls (-tiny)) `shouldBe` [CrossingSides (side 0 0) (side 1 0)]
   where
     forAllValid check = forAll validScenes $ \raw ->
       either (\e -> counterexample (show e) (property False)) (check raw) (validate raw)
@@ -131,7 +143,8 @@ kind e = case e of
 
 allKinds :: [String]
 allKinds =
-  words "EmptyScene TooFewCorners RepeatedCorner ZeroArea Spike CornerOnCorner CornerOnSide CrossingSides NestedPolygon OutsideEnclosure NoSuchSide BadEmission BadReflectivity"
+  words "EmptyScene TooFewCorners RepeatedCorner ZeroArea Spike NestedPolygon OutsideEnclosure NoSuchSide"
+    <> words "BadEmission BadReflectivity CornerOnCorner CornerOnSide CrossingSides"
     <> ["CornerOnSide itself", "CrossingSides itself"]
 
 -- | A polygon or two, in a free place of the plane, and the errors they cause when the first has this number.
@@ -163,28 +176,140 @@ relocated place e = case e of
 
 defects :: [(String, Defect)]
 defects =
-  [ ("a repeated corner", \p -> ([rawPolygon [at 0 0, at 9 0, at 9 0, at 5 9]], [RepeatedCorner (corner p 2) 1 (at 9 0)]))
-  , ("a corner repeated later", \p -> ([rawPolygon [at 0 0, at 9 0, at 5 4, at 9 9, at 0 9, at 5 4]], [RepeatedCorner (corner p 5) 2 (at 5 4)]))
-  , ("a wall of no length", \p -> ([rawPolygon [at 1 1, at 1 1]], [RepeatedCorner (corner p 1) 0 (at 1 1)]))
-  , ("no area", \p -> ([rawPolygon [at 0 0, at 6 4, at 3 2]], [ZeroArea (Obstacle p)]))
-  , ("a spike outwards", \p -> ([rawPolygon [at 0 0, at 9 0, at 0 9, at 0 20]], [Spike (corner p 3) (at 0 20)]))
-  , ("a spike along a side", \p -> ([rawPolygon [at 0 0, at 9 0, at 9 9, at 9 4, at 0 4]], [Spike (corner p 2) (at 9 9)]))
-  , ("one corner", \p -> ([rawPolygon [at 1 1]], [TooFewCorners (Obstacle p) 1]))
-  , ("no corner", \p -> ([rawPolygon []], [TooFewCorners (Obstacle p) 0]))
-  , ("a bow tie", \p -> ([rawPolygon [at 0 0, at 9 9, at 9 0, at 0 9]], [CrossingSides (side p 0) (side p 2)]))
-  , ("a corner on an own side", \p -> ([rawPolygon [at 0 0, at 9 0, at 9 9, at 4 0, at 0 9]], [CornerOnSide (corner p 3) (side p 0) (at 4 0)]))
-  , ("nested polygons", \p -> ([square, rawPolygon [at 2 2, at 3 2, at 2 3]], [NestedPolygon (Obstacle (p + 1)) (Obstacle p)]))
-  , ("a wall inside a polygon, before it", \p -> ([rawPolygon [at 2 2, at 3 2], square], [NestedPolygon (Obstacle p) (Obstacle (p + 1))]))
-  , ("corners that touch", \p -> ([square, rawPolygon [at 9 9, at 12 9, at 12 12]], [CornerOnCorner (corner p 2) (corner (p + 1) 0) (at 9 9)]))
-  , ("a corner that touches a side", \p -> ([square, rawPolygon [at 12 9, at 9 4]], [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]))
-  , ("a wall that touches from inside", \p -> ([square, rawPolygon [at 2 2, at 9 4]], [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]))
-  , ("sides that overlap", \p -> ([square, rawPolygon [at 4 0, at 13 0, at 13 (-5)]], [CornerOnSide (corner p 1) (side (p + 1) 0) (at 9 0), CornerOnSide (corner (p + 1) 0) (side p 0) (at 4 0)]))
-  , ("walls that cross", \p -> ([rawPolygon [at 0 0, at 9 9], rawPolygon [at 0 9, at 9 0]], [CrossingSides (side p 0) (side (p + 1) 0)]))
-  , ("a wall through a corner", \p -> ([rawPolygon [at 0 0, at 9 0, at 5 5], rawPolygon [at 0 5, at 9 5]], [CornerOnSide (corner p 2) (side (p + 1) 0) (at 5 5)]))
-  , ("an emission below 0", \p -> ([square {rawMaterial = Material (-1 % 9) 0}], [BadEmission (OfPolygon (Obstacle p)) (-1 % 9)]))
-  , ("a reflectivity of 1", \p -> ([square {rawMaterial = Material 0 1}], [BadReflectivity (OfPolygon (Obstacle p)) 1]))
-  , ("a side's bad material", \p -> ([square {rawSides = Map.fromList [(2, MaterialOverride (Just (-1)) (Just (-1)))]}], [BadEmission (OfSide (side p 2)) (-1), BadReflectivity (OfSide (side p 2)) (-1)]))
-  , ("a side number too large", \p -> ([square {rawSides = Map.fromList [(4, MaterialOverride Nothing Nothing)]}], [NoSuchSide (side p 4) 4]))
+  [ ( "a repeated corner"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 9 0, at 5 9]]
+        , [RepeatedCorner (corner p 2) 1 (at 9 0)]
+        )
+    )
+  , ( "a corner repeated later"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 5 4, at 9 9, at 0 9, at 5 4]]
+        , [RepeatedCorner (corner p 5) 2 (at 5 4)]
+        )
+    )
+  , ( "a wall of no length"
+    , \p ->
+        ( [rawPolygon [at 1 1, at 1 1]]
+        , [RepeatedCorner (corner p 1) 0 (at 1 1)]
+        )
+    )
+  , ( "no area"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 6 4, at 3 2]]
+        , [ZeroArea (Obstacle p)]
+        )
+    )
+  , ( "a spike outwards"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 0 9, at 0 20]]
+        , [Spike (corner p 3) (at 0 20)]
+        )
+    )
+  , ( "a spike along a side"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 9 9, at 9 4, at 0 4]]
+        , [Spike (corner p 2) (at 9 9)]
+        )
+    )
+  , ( "one corner"
+    , \p ->
+        ( [rawPolygon [at 1 1]]
+        , [TooFewCorners (Obstacle p) 1]
+        )
+    )
+  , ( "no corner"
+    , \p ->
+        ( [rawPolygon []]
+        , [TooFewCorners (Obstacle p) 0]
+        )
+    )
+  , ( "a bow tie"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 9, at 9 0, at 0 9]]
+        , [CrossingSides (side p 0) (side p 2)]
+        )
+    )
+  , ( "a corner on an own side"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 9 9, at 4 0, at 0 9]]
+        , [CornerOnSide (corner p 3) (side p 0) (at 4 0)]
+        )
+    )
+  , ( "nested polygons"
+    , \p ->
+        ( [square, rawPolygon [at 2 2, at 3 2, at 2 3]]
+        , [NestedPolygon (Obstacle (p + 1)) (Obstacle p)]
+        )
+    )
+  , ( "a wall inside a polygon, before it"
+    , \p ->
+        ( [rawPolygon [at 2 2, at 3 2], square]
+        , [NestedPolygon (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "corners that touch"
+    , \p ->
+        ( [square, rawPolygon [at 9 9, at 12 9, at 12 12]]
+        , [CornerOnCorner (corner p 2) (corner (p + 1) 0) (at 9 9)]
+        )
+    )
+  , ( "a corner that touches a side"
+    , \p ->
+        ( [square, rawPolygon [at 12 9, at 9 4]]
+        , [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]
+        )
+    )
+  , ( "a wall that touches from inside"
+    , \p ->
+        ( [square, rawPolygon [at 2 2, at 9 4]]
+        , [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]
+        )
+    )
+  , ( "sides that overlap"
+    , \p ->
+        ( [square, rawPolygon [at 4 0, at 13 0, at 13 (-5)]]
+        , [ CornerOnSide (corner p 1) (side (p + 1) 0) (at 9 0)
+          , CornerOnSide (corner (p + 1) 0) (side p 0) (at 4 0)
+          ]
+        )
+    )
+  , ( "walls that cross"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 9], rawPolygon [at 0 9, at 9 0]]
+        , [CrossingSides (side p 0) (side (p + 1) 0)]
+        )
+    )
+  , ( "a wall through a corner"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 9 0, at 5 5], rawPolygon [at 0 5, at 9 5]]
+        , [CornerOnSide (corner p 2) (side (p + 1) 0) (at 5 5)]
+        )
+    )
+  , ( "an emission below 0"
+    , \p ->
+        ( [square {rawMaterial = Material (-1 % 9) 0}]
+        , [BadEmission (OfPolygon (Obstacle p)) (-1 % 9)]
+        )
+    )
+  , ( "a reflectivity of 1"
+    , \p ->
+        ( [square {rawMaterial = Material 0 1}]
+        , [BadReflectivity (OfPolygon (Obstacle p)) 1]
+        )
+    )
+  , ( "a side's bad material"
+    , \p ->
+        ( [square {rawSides = Map.fromList [(2, MaterialOverride (Just (-1)) (Just (-1)))]}]
+        , [BadEmission (OfSide (side p 2)) (-1), BadReflectivity (OfSide (side p 2)) (-1)]
+        )
+    )
+  , ( "a side number too large"
+    , \p ->
+        ( [square {rawSides = Map.fromList [(4, MaterialOverride Nothing Nothing)]}]
+        , [NoSuchSide (side p 4) 4]
+        )
+    )
   ]
   where
     corner p = CornerName (Obstacle p)

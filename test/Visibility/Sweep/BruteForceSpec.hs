@@ -12,7 +12,11 @@ import Visibility.Test.Generator
 
 -- | The vertices of a scene of loops, by name.
 found :: [[(Integer, Integer)]] -> [[String]]
-found loops = case sample (RawScene Nothing Nothing [rawPolygon [Point (fromInteger x) (fromInteger y) | (x, y) <- loop] | loop <- loops]) of
+found loops = case sample (RawScene Nothing Nothing [ rawPolygon [ Point (fromInteger x) (fromInteger y)
+                                                                 | (x, y) <- loop
+                                                                 ]
+                                                    | loop <- loops
+                                                    ]) of
   Just s -> sort [map (cornerText . cornerName (sampleScene s)) (vertexCorners v) | v <- bruteForce (sampleScene s)]
   Nothing -> []
 
@@ -41,9 +45,15 @@ spec = do
                    , ["2.1", "1.1"]
                    ]
     it "makes one vertex of three aligned walls" $
-      found [[(0, 0), (1, 0)], [(2, 0), (3, 0)], [(4, 0), (5, 0)]] `shouldBe` [["0.0", "0.1", "1.0", "1.1", "2.0", "2.1"]]
+      found [ [(0, 0), (1, 0)]
+            , [(2, 0), (3, 0)]
+            , [(4, 0), (5, 0)]
+            ] `shouldBe` [["0.0", "0.1", "1.0", "1.1", "2.0", "2.1"]]
     it "passes grazing corners on both flanks" $
-      ["0.2", "0.0", "1.0", "2.0"] `elem` found [[(0, 0), (0, -2), (-1, 0)], [(2, 0), (3, 2), (1, 2)], [(4, 0), (5, -2), (6, -1)]] `shouldBe` True
+      ["0.2", "0.0", "1.0", "2.0"] `elem` found [ [(0, 0), (0, -2), (-1, 0)]
+                                                , [(2, 0), (3, 2), (1, 2)]
+                                                , [(4, 0), (5, -2), (6, -1)]
+                                                ] `shouldBe` True
   describe "an elementary pair" $
     it "is one of two consecutive corners of a vertex" $
       property $ \(LatticeScene s) ->

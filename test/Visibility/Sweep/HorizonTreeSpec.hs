@@ -23,7 +23,8 @@ spec =
               found = trace scene
               states = zip (start scene : map snd found) (inits (map fst found))
            in conjoin
-                [ counterexample (show (length swept, heading, c)) (cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c)
+                [ counterexample (show (length swept, heading, c)) $
+                    cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c
                 | let all' = concatMap vertexPairs (bruteForce scene)
                 , (state, done) <- states
                 , let swept = concatMap vertexPairs done
@@ -35,7 +36,8 @@ spec =
           let scene = sampleScene s
               end = finish scene
            in conjoin
-                [ counterexample (show (heading, c)) (targetOf scene (tree heading end) c `elem` allowed (upward scene heading c))
+                [ counterexample (show (heading, c)) $
+                    targetOf scene (tree heading end) c `elem` allowed (upward scene heading c)
                 | heading <- [minBound ..]
                 , c <- corners scene
                 ]
@@ -52,7 +54,12 @@ spec =
     upward scene Leftward c = shoot scene c (steep scene c)
     opposed (Direction x y) = Direction (-x) (-y)
     nextPair scene pairs swept heading c =
-      case sortBy (bySlope scene c) [q | (a, b) <- pairs, (a, b) `notElem` swept, (p, q) <- [if heading == Rightward then (a, b) else (b, a)], p == c] of
+      case sortBy (bySlope scene c) [ q
+                                    | (a, b) <- pairs
+                                    , (a, b) `notElem` swept
+                                    , (p, q) <- [if heading == Rightward then (a, b) else (b, a)]
+                                    , p == c
+                                    ] of
         q : _ -> Just q
         [] -> Nothing
     bySlope scene (CornerId c) (CornerId p) (CornerId q) = case turn (scenePoints scene) c p q of
@@ -62,6 +69,10 @@ spec =
 
 -- | A direction after -90 degrees, steeper than any line of two corners that is not vertical.
 steep :: Scene -> CornerId -> Direction
-steep scene _ = Direction 1 (-1 - maximum [abs y | p <- corners scene, q <- corners scene, let Direction _ y = between p q])
+steep scene _ = Direction 1 (-1 - maximum [ abs y
+                                          | p <- corners scene
+                                          , q <- corners scene
+                                          , let Direction _ y = between p q
+                                          ])
   where
     between (CornerId p) (CornerId q) = direction (scenePoints scene) p q

@@ -7,46 +7,46 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Scene
 import Visibility.Sweep
-import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Invariant
 import Visibility.Sweep.Topological (Sweep (..))
 import Visibility.Sweep.Vertical
 import Visibility.Test.Generator
 
-type Table = U.Vector Int
-
--- | A table of a tree, the entries that mean something in a state, and the values that an entry may have.
+-- | A kind of field, the fields of it that mean something in a state, and the values that one may have.
 data Part = Part
   { partName :: String
-  , partTable :: Tree Table -> Table
-  , withTable :: Tree Table -> Table -> Tree Table
-  , meaningful :: Int -> Tree Table -> [Int]
+  , meaningful :: Int -> Table -> [Field]
   , values :: Int -> [Int]
   }
 
 parts :: [Part]
 parts =
-  [ Part "target of a corner" targets (\t v -> t {targets = v}) (\n _ -> [0 .. n - 1]) (\n -> [none .. 2 * n])
-  , Part "node of a corner" nodes (\t v -> t {nodes = v}) (\n _ -> [0 .. n - 1]) nodeNumbers
-  , Part "link of a corner" links (\t v -> t {links = v}) (\n _ -> [0 .. n - 1]) (const [0, 1])
-  , Part "first node of a list" firstIn (\t v -> t {firstIn = v}) (\n _ -> [0 .. 2 * n]) nodeNumbers
-  , Part "last node of a list" lastIn (\t v -> t {lastIn = v}) (\n _ -> [0 .. 2 * n]) nodeNumbers
-  , Part "pointer up a list" upperNode (\t v -> t {upperNode = v}) listed nodeNumbers
-  , Part "pointer down a list" lowerNode (\t v -> t {lowerNode = v}) listed nodeNumbers
-  , Part "top of a chain" tops (\t v -> t {tops = v}) (\n t -> map (leaves t U.!) (topNodes n t)) nodeNumbers
-  , Part "leaf of a chain" leaves (\t v -> t {leaves = v}) topNodes nodeNumbers
+  [ Part "target of a corner" (eachCorner target) (\n -> [l | List l <- noList : listsOf n])
+  , Part "node of a corner" (eachCorner edge) nodeNumbers
+  , Part "link of a corner" (eachCorner link) (const [0, 1])
+  , Part "first node of a list" (\n _ -> map first (listsOf n)) nodeNumbers
+  , Part "last node of a list" (\n _ -> map final (listsOf n)) nodeNumbers
+  , Part "pointer up a list" (\n table -> map upper (listed n table)) nodeNumbers
+  , Part "pointer down a list" (\n table -> map lower (listed n table)) nodeNumbers
+  , Part "top of a chain" (\n table -> map (top . nodeAt table . leaf) (topNodes n table)) nodeNumbers
+  , Part "leaf of a chain" (\n table -> map leaf (topNodes n table)) nodeNumbers
   ]
   where
-    nodeNumbers n = [none .. 2 * n - 1]
-    listed n t = concat [takeWhile (/= none) (iterate (upperNode t U.!) (firstIn t U.! k)) | k <- [0 .. 2 * n], firstIn t U.! k /= none, endsProperly k t]
-    endsProperly k t = upperNode t U.! (lastIn t U.! k) == none
-    topNodes n t =
+    eachCorner field n _ = map field [0 .. n - 1]
+    listsOf n = map cornerList [0 .. n - 1] <> map ceilingList [0 .. n - 1] <> [skyList n]
+    nodeNumbers n = [e | Node e <- noNode : map edgeNode [0 .. n - 1] <> map markerNode [0 .. n - 1]]
+    listed n table = concat [ takeWhile (/= noNode) (iterate (nodeAt table . upper) (nodeAt table (first l)))
+                            | l <- listsOf n
+                            , nodeAt table (first l) /= noNode
+                            ]
+    topNodes n table =
       [ node
       | p <- [0 .. n - 1]
-      , let node = nodes t U.! p
-      , let q = targets t U.! p
-      , node /= none
-      , not (q < n && links t U.! q == 1 && lastIn t U.! q == node)
+      , let node = nodeAt table (edge p)
+      , node /= noNode
+      , let l = listAt table (target p)
+      , not (isCornerList l && at table (link (listOwner l)) == 1 && nodeAt table (final l) == node)
       ]
 
 spec :: Spec
@@ -63,13 +63,13 @@ spec = do
     forM_ parts $ \part -> it ("a wrong " <> partName part) $
       property $ \(LatticeScene s) -> forAllState s $ \state -> forAll arbitraryBoundedEnum $ \heading ->
         let n = cornerCount (sampleScene s)
-            tree = treeOf heading state
-            table = partTable part tree
-         in forAll (sublist (meaningful part n tree)) $ \places ->
+            table = treeOf heading state
+         in forAll (some (meaningful part n table)) $ \places ->
               conjoin
-                [ forAll (elements (filter (/= table U.! k) (values part n))) $ \value ->
-                    counterexample (show (heading, k)) (noticed s (withTree heading (withTable part tree (table U.// [(k, value)])) state))
-                | k <- places
+                [ forAll (elements (filter (/= at table field) (values part n))) $ \value ->
+                    counterexample (show (heading, field)) $
+                      noticed s (withTree heading (changed field value table) state)
+                | field <- places
                 ]
     it "a flag without a pending corner, and a pending corner without a flag" $
       property $ \(LatticeScene s) -> forAllState s $ \state ->
@@ -81,16 +81,18 @@ spec = do
             states = start scene : map snd (trace scene)
             early = [state | (state, vertex) <- zip states (map fst (trace scene)), not (isDegenerate vertex)]
          in not (null early) ==> forAll (elements [0 .. length early - 1]) $ \k ->
-              conjoin [noticed s state {pending = [], isPending = U.map (const 0) (isPending state)} | state <- take 1 (drop k early)]
+              conjoin [ noticed s state {pending = U.empty, isPending = U.map (const 0) (isPending state)}
+                      | state <- take 1 (drop k early)
+                      ]
   where
     noticed s state = counterexample "not noticed" (not (null (violations (sampleScene s) state)))
-    sublist xs = case xs of [] -> pure []; _ -> vectorOf 4 (elements xs)
+    some xs = case xs of [] -> pure []; _ -> vectorOf 4 (elements xs)
 
-treeOf :: Heading -> Sweep -> Tree Table
+treeOf :: Heading -> Sweep -> Table
 treeOf Rightward = rightTree
 treeOf Leftward = leftTree
 
-withTree :: Heading -> Tree Table -> Sweep -> Sweep
+withTree :: Heading -> Table -> Sweep -> Sweep
 withTree Rightward tree state = state {rightTree = tree}
 withTree Leftward tree state = state {leftTree = tree}
 

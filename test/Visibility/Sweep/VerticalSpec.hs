@@ -34,7 +34,9 @@ spec = do
               pairs = concatMap vertexPairs (bruteForce scene)
               first heading c = case sortBy (leastSlope scene c) [q | q <- forward pairs heading c] of
                 CornerId q : _ -> q
-                [] -> if sight (shoot scene c (turned heading (justAfterDown scene c))) == Just Sky then skyCode scene else solid
+                [] -> case sight (shoot scene c (turned heading (justAfterDown scene c))) of
+                  Just Sky -> skyCode scene
+                  _ -> solid
            in conjoin
                 [ U.toList (firstTargets (verticalSweep scene heading)) === map (first heading) (corners scene)
                 | heading <- [minBound ..]

@@ -27,8 +27,8 @@ import Visibility.Scene.Raw
 
 -- | What the text of a file says of a scene; the path is only what the file is called in problems.
 --
--- /Degenerate cases/ of a text that is not JSON, the first fault; of JSON that does not have the shape of a scene, every
--- fault. A scene that no polygon can have, such as one with a negative emission, is read: see "Visibility.Scene.Validate".
+-- /Degenerate cases/ of a text that is not JSON, the first fault; of JSON that does not have the shape of a scene,
+-- every fault. What no scene can have, such as a negative emission, is read: see "Visibility.Scene.Validate".
 --
 -- /Cost/ O(n) in bytes, but for the size of the numbers.
 --
@@ -186,9 +186,9 @@ found document = case document of
 
 -- Writing ---------------------------------------------------------------------------------------------------------
 
--- | A scene as a file that says the same: a polygon to a line, keys and defaults as short as the format allows, always the
--- same bytes for the same scene. Integers and decimals of up to 20 digits after the point are written as JSON numbers,
--- other numbers as @"p/q"@.
+-- | A scene as a file that says the same: a polygon to a line, keys and defaults as short as the format allows, always
+-- the same bytes for the same scene. Integers and decimals of up to 20 digits after the point are written as JSON
+-- numbers, other numbers as @"p/q"@.
 --
 -- /Laws/ @readScene file (bytes (sceneDocument raw)) == Right raw@.
 sceneDocument :: RawScene -> Builder
@@ -217,7 +217,7 @@ polygonDocument (RawPolygon name corners material sides)
     side (k, MaterialOverride e r) =
       pair
         (Text.pack (show k))
-        (braces ([pair "emission" (numberDocument x) | Just x <- [e]] <> [pair "reflectivity" (numberDocument x) | Just x <- [r]]))
+        (braces [pair key (numberDocument x) | (key, Just x) <- [("emission", e), ("reflectivity", r)]])
 
 numberDocument :: Rational -> Builder
 numberDocument q = case decimalText q of

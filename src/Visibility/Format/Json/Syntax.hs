@@ -3,9 +3,9 @@
 -- | JSON text as a tree that loses nothing.
 --
 -- A reader of our own, because aeson's (2.0.3) loses what the contract of scenes promises to report: an exponent beyond
--- 64 bits wraps around (@1e18446744073709551617@ is read as 10), of two equal keys one disappears, and nesting is bounded
--- by memory only. Here numbers stay as they are spelled, keys stay in order with their duplicates, depth is bounded, and a
--- fault has its line and column.
+-- 64 bits wraps around (@1e18446744073709551617@ is read as 10), of two equal keys one disappears, a control character
+-- passes in a string that also has an escape, and nesting is bounded by memory only. Here numbers stay as they are
+-- spelled, keys stay in order with their duplicates, depth is bounded, and a fault has its line and column.
 module Visibility.Format.Json.Syntax
   ( Document (..)
   , parseDocument

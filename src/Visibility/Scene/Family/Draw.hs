@@ -32,8 +32,8 @@ instance Applicative Draw where
 instance Monad Draw where
   Draw run >>= f = Draw (\s -> let (a, s') = run s; Draw next = f a in next s')
 
--- | The value from the stream of this number under a seed. Streams of different numbers are unrelated, so that the tenth
--- polygon of a scene does not depend on how many draws the ninth took.
+-- | The value from the stream of this number under a seed. Streams of different numbers are unrelated, so that the
+-- tenth polygon of a scene does not depend on how many draws the ninth took.
 runDraw :: Seed -> Int -> Draw a -> a
 runDraw (Seed seed) number (Draw run) = fst (run (mixed (mixed seed + golden * fromIntegral number)))
 

@@ -1,0 +1,139 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+module Visibility.Draw.DualSpec (spec) where
+
+import Data.Foldable (for_)
+import Data.Maybe (mapMaybe)
+import Data.Ratio ((%))
+import qualified Data.Text as Text
+import Test.Hspec
+import Test.QuickCheck hiding (sample)
+import Visibility.Draw.Drawing
+import Visibility.Draw.Dual
+import Visibility.Draw.Gallery
+import Visibility.Draw.Scale
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Direction (..))
+import Visibility.Scene
+import Visibility.Sweep
+import Visibility.Test.Generator
+import Visibility.View
+
+spec :: Spec
+spec = do
+  describe "every scene in scenes/" $
+    withGallery $ \name scene -> do
+      let drawing = drawn scene
+      it (name <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
+      it (name <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+  describe "of any scene" $ do
+    it "has a dot for each vertex, and one more for each vertical one" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            isVertical v = case vertexDirection scene v of Direction dx _ -> dx == 0
+            expected = concat [replicate (if isVertical v then 2 else 1) (names scene v) | v <- vertices scene]
+         in map markName (marksIn "vertices" (drawn scene)) === expected
+    it "has a curve for each edge, by its kind" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            drawing = drawn scene
+            named keep =
+              [ Text.pack (cornerText (cornerName scene (edgeCorner e)))
+              | e <- edges scene (events scene (vertices scene))
+              , keep (edgeView e)
+              ]
+            isEnding view = case view of Ending _ _ -> True; _ -> False
+         in conjoin
+              [ map markName (marksIn "ending" drawing) === named isEnding
+              , map markName (marksIn "tangent" drawing) === named (not . isEnding)
+              ]
+    it "has curves that satisfy u = -x sin θ + y cos θ, and run from left to right" $
+      property $ \(AnyScene s) -> followsItsEquation (sampleScene s)
+    it "has curves that satisfy it also far from the origin" $
+      property $ \(AnyScene s) ->
+        either
+          (\problems -> counterexample (show problems) False)
+          followsItsEquation
+          (displaced (10 ^ (60 :: Int) + 1 / 7) (sampleRaw s))
+    it "has its dots on the curves of all corners of the vertex" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            frame = frameFor scene (events scene (vertices scene))
+         in conjoin
+              [ counterexample (show (mark, c)) (abs (u - curve scene frame c theta) < 1e-9)
+              | mark <- marksIn "vertices" (drawn scene)
+              , Dot place <- [markShape mark]
+              , let (theta, u) = offCanvas frame place
+              , c <- namedCorners scene (markName mark)
+              ]
+    it "no label covers anything, and nothing leaves the canvas" $
+      property $ \(AnyScene s) ->
+        let drawing = drawn (sampleScene s)
+         in (labelCollisions drawing, strayMarks drawing) === ([], [])
+  describe "the ticks" $ do
+    it "are at the values that they state" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            frame = frameFor scene (events scene (vertices scene))
+            stated = [text | Mark _ TickLabel (Label EndAnchor _ text) <- marksIn "frame" (drawn scene)]
+            ys = [y | Mark _ Tick (Polyline [Place _ y, Place _ y']) <- marksIn "frame" (drawn scene), y == y']
+         in length stated >= 3 .&&. stated === mapMaybe (\y -> nearestTick frame y stated) ys
+    it "of a distant scene count from a point in it, which is named" $ do
+      case displaced (10 ^ (40 :: Int)) (snd (head' goldenScenes)) of
+        Left problems -> expectationFailure (show problems)
+        Right scene -> do
+          let frame = frameFor scene (events scene (vertices scene))
+              Point x y = frameOrigin frame
+          (abs (x - 10 ^ (40 :: Int)) <= 10, abs (y - 10 ^ (40 :: Int)) <= 10) `shouldBe` (True, True)
+          (x, y) `shouldNotBe` (0, 0)
+          let captions = [text | Mark _ Caption (Label _ _ text) <- marksIn "legend" (drawn scene)]
+          captions `shouldSatisfy` any (Text.isInfixOf ("u measured from (" <> decimalText x))
+  describe "golden drawings" $
+    for_ goldenScenes $ \(name, raw) ->
+      it name $ withValid raw $ \scene -> drawn scene `shouldBeListedIn` (name <> "-dual.txt")
+  where
+    drawn scene = dualDrawing scene (events scene (vertices scene))
+    names scene v = Text.unwords [Text.pack (cornerText (cornerName scene c)) | c <- vertexCorners v]
+    namedCorners scene text =
+      [c | word <- Text.words text, Just name <- [readCornerName (Text.unpack word)], Just c <- [cornerNamed scene name]]
+    followsItsEquation scene =
+      conjoin
+        [ counterexample (show mark) $
+          and [abs (u - curve scene frame c theta) < 1e-9 | (theta, u) <- points, c <- namedCorners scene (markName mark)]
+            && length (namedCorners scene (markName mark)) == 1
+            && and (zipWith (<=) (map fst points) (drop 1 (map fst points)))
+        | layer <- ["ending", "tangent"]
+        , mark@(Mark _ _ (Polyline places)) <- marksIn layer (drawn scene)
+        , let points = map (offCanvas frame) places
+        ]
+      where
+        frame = frameFor scene (events scene (vertices scene))
+    -- From the file's coordinates, exactly but for the last steps.
+    curve scene frame c theta = near (y - oy) * cos theta - near (x - ox) * sin theta
+      where
+        Point x y = cornerPoint scene c
+        Point ox oy = frameOrigin frame
+        near v = fromRational (v / frameUnit frame) :: Double
+    -- The statement among those given that belongs to a height on the canvas.
+    nearestTick frame y texts =
+      let (_, u) = offCanvas frame (Place 100 y)
+       in case [text | text <- texts, Just v <- [readDecimal (Text.unpack text)], isAt u (v / frameUnit frame)] of
+            [text] -> Just text
+            _ -> Nothing
+    isAt u v = abs (v - toRational u) < 1e-9
+    head' = foldr const (error "no golden scenes")
+
+-- | Reads finite decimals as the figure writes them.
+readDecimal :: String -> Maybe Rational
+readDecimal ('−' : digits) = negate <$> readDecimal digits
+readDecimal text = case break (== 'e') text of
+  (mantissa, "") -> plain mantissa
+  (mantissa, _ : '−' : power) -> (\m k -> m / 10 ^ k) <$> plain mantissa <*> natural power
+  (mantissa, _ : power) -> (\m k -> m * 10 ^ k) <$> plain mantissa <*> natural power
+  where
+    plain digits = case break (== '.') digits of
+      (whole, "") -> fromInteger <$> natural whole
+      (whole, _ : part) -> (\n -> n % (10 ^ length part)) <$> natural (whole <> part)
+    natural digits
+      | not (null digits), all (`elem` ['0' .. '9']) digits = Just (read digits :: Integer)
+      | otherwise = Nothing

@@ -1,0 +1,80 @@
+-- | What the specs of figures share: the scenes of the demonstration, scenes for golden drawings, and the comparison
+-- with them.
+module Visibility.Draw.Gallery
+  ( withGallery
+  , goldenScenes
+  , withValid
+  , displaced
+  , shouldBeListedIn
+  ) where
+
+import qualified Data.ByteString as Bytes
+import Data.Foldable (for_)
+import Data.List (sort)
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.Map.Strict as Map
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import System.Directory (doesFileExist, listDirectory)
+import System.FilePath (dropExtension, takeExtension, (</>))
+import Test.Hspec
+import Visibility.Draw.Drawing
+import Visibility.Exact.Point
+import Visibility.Format.Json (readSceneFile)
+import Visibility.Scene (Scene)
+import Visibility.Scene.Raw
+import Visibility.Error.Scene (SceneError)
+import Visibility.Scene.Validate (validate)
+
+-- | Examples for each scene in scenes/, by name.
+withGallery :: (String -> Scene -> Spec) -> Spec
+withGallery examples = do
+  files <- runIO (sort . filter ((== ".json") . takeExtension) <$> listDirectory "scenes")
+  it "there are at least twelve" $ length files `shouldSatisfy` (>= 12)
+  for_ files $ \file -> do
+    outcome <- runIO (readSceneFile ("scenes" </> file))
+    case outcome of
+      Left problems -> it file (expectationFailure (show problems))
+      Right scene -> examples (dropExtension file) scene
+
+-- | Small scenes that have everything between them: a light, a thin wall, a room, degenerate and vertical vertices.
+goldenScenes :: [(String, RawScene)]
+goldenScenes =
+  [ ("two-squares", RawScene (Just (Text.pack "two squares")) Nothing [square 0 0 bright, square 2 0 black])
+  ,
+    ( "room-with-wall"
+    , RawScene
+        (Just (Text.pack "a <room> & a wall"))
+        (Just (rawPolygon (points [(0, 0), (6, 0), (6, 4), (0, 4)])))
+        [ rawPolygon (points [(2, 1), (3, 3 / 2), (5 / 3, 3)])
+        , (rawPolygon (points [(4, 1), (5, 3)])) {rawSides = Map.fromList [(0, MaterialOverride (Just 1) Nothing)]}
+        ]
+    )
+  ]
+  where
+    square x y material =
+      (rawPolygon (points [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)])) {rawMaterial = material}
+    bright = Material 1 0
+    points = map (uncurry Point)
+
+withValid :: RawScene -> (Scene -> Expectation) -> Expectation
+withValid raw check = either (expectationFailure . show) check (validate raw)
+
+-- | The scene moved by the same amount to the right and upwards.
+displaced :: Rational -> RawScene -> Either (NonEmpty SceneError) Scene
+displaced d raw =
+  validate raw {rawEnclosure = moved <$> rawEnclosure raw, rawPolygons = map moved (rawPolygons raw)}
+  where
+    moved polygon = polygon {rawCorners = [Point (x + d) (y + d) | Point x y <- rawCorners polygon]}
+
+-- | Compares a drawing with a file in test/golden/draw, which has to exist.
+shouldBeListedIn :: Drawing -> FilePath -> Expectation
+shouldBeListedIn drawing file = do
+  exists <- doesFileExist path
+  if exists
+    then do
+      expected <- Text.unpack . Text.decodeUtf8 <$> Bytes.readFile path
+      lines (listing drawing) `shouldBe` lines expected
+    else expectationFailure (path <> " is missing")
+  where
+    path = "test" </> "golden" </> "draw" </> file

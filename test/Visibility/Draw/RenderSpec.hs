@@ -1,0 +1,117 @@
+module Visibility.Draw.RenderSpec (spec) where
+
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isAlphaNum, isSpace)
+import Data.Foldable (for_)
+import Data.List (isInfixOf, isPrefixOf)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import Test.Hspec
+import Test.QuickCheck
+import Visibility.Draw.Drawing
+import Visibility.Draw.Dual
+import Visibility.Draw.Gallery
+import Visibility.Draw.Render
+import Visibility.Draw.Scene
+import Visibility.Sweep
+import Visibility.View
+
+spec :: Spec
+spec = do
+  for_ goldenScenes $ \(name, raw) ->
+    describe name $
+      for_ figures $ \(figure, draw) ->
+        describe figure $ do
+          it "is well-formed XML" $ withValid raw $ \scene -> xmlFault (rendered (draw scene)) `shouldBe` Nothing
+          it "has a group for each layer, by its class, in their order" $
+            withValid raw $ \scene -> do
+              let drawing = draw scene
+              groups (rendered drawing) `shouldBe` map (Text.unpack . layerName) (drawingLayers drawing)
+          it "has all texts, a title and a description" $
+            withValid raw $ \scene -> do
+              let drawing = draw scene
+                  svg = rendered drawing
+                  isWritten text = (">" <> escaped text <> "</text>") `isInfixOf` svg
+              [text | Mark _ _ (Label _ _ text) <- drawingMarks drawing, not (isWritten text)] `shouldBe` []
+              (("<title>" <> escaped (drawingTitle drawing) <> "</title>") `isInfixOf` svg) `shouldBe` True
+              (("<desc>" <> escaped (drawingDescription drawing) <> "</desc>") `isInfixOf` svg) `shouldBe` True
+          it "is 800 pixels wide on a white ground" $
+            withValid raw $ \scene -> do
+              let svg = rendered (draw scene)
+              (" width=\"800.00\"" `isInfixOf` takeWhile (/= '>') svg) `shouldBe` True
+                  afterStyle = snd (Text.breakOn (Text.pack "</style>") (Text.pack svg))
+                  firstShape = Text.unpack (Text.takeWhile (/= 'M') afterStyle)
+              ("fill=\"rgb(255,255,255)\"" `isInfixOf` firstShape) `shouldBe` True
+          it "keeps places: one unit to a pixel, y downwards" $
+            withValid raw $ \scene -> do
+              let line = plain Axis (Polyline [Place 100 50, Place 140 70])
+                  drawing = (draw scene) {drawingLayers = [Layer (Text.pack "x") Sparse [line]]}
+                  y = show (round (drawingHeight drawing) - 50 :: Int)
+              (("M 100.0000," <> y <> ".0000 l 40.0000,-20.0000") `isInfixOf` rendered drawing) `shouldBe` True
+  describe "any title" $
+    it "leaves well-formed XML" $
+      property $ \(UnicodeString title) ->
+        let text = Text.pack title
+            drawing = Drawing text text 800 100 [Layer (Text.pack "t") Sparse [plain Caption (Label StartAnchor (Place 5 5) text)]]
+         in xmlFault (rendered drawing) === Nothing
+  describe "any density" $
+    it "draws as many pieces of line as there are" $
+      for_ [minBound .. maxBound] $ \density -> do
+        let k = 1000
+            line i = Mark Text.empty Bitangent (Polyline [Place i 1, Place (i / 2) 90])
+            drawing = Drawing Text.empty Text.empty 800 100 [Layer (Text.pack "l") density (map line [1 .. k])]
+        length (filter (== 'M') (rendered drawing)) `shouldBe` 1 + round k
+  where
+    figures =
+      [ ("scene", \scene -> sceneDrawing scene (vertices scene))
+      , ("dual", \scene -> dualDrawing scene (events scene (vertices scene)))
+      ]
+    rendered drawing = Text.unpack (Text.decodeUtf8 (Lazy.toStrict (renderSvg drawing)))
+    groups svg = [takeWhile (/= '"') (drop 7 rest) | rest <- suffixes svg, "class=\"" `isPrefixOf` rest]
+    suffixes = takeWhile (not . null) . iterate (drop 1)
+    escaped = concatMap character . Text.unpack
+    character c = case c of
+      '<' -> "&lt;"
+      '>' -> "&gt;"
+      '&' -> "&amp;"
+      _ -> [c]
+
+-- | What is wrong with a document of elements, attributes and text, if anything: tags that do not match, a stray @<@
+-- or @&@, attributes that are repeated or not quoted, characters that XML has not.
+xmlFault :: String -> Maybe String
+xmlFault document = case document of
+  '<' : _ -> content [] document
+  _ -> Just "does not begin with an element"
+  where
+    content open text = case text of
+      "" | null open -> Nothing
+         | otherwise -> Just ("left open: " <> unwords open)
+      '<' : '/' : rest ->
+        let (name, next) = span isName rest
+         in case (open, next) of
+              (o : others, '>' : more) | o == name -> if null others then trailing more else content others more
+              _ -> Just ("wrong end tag " <> name)
+      '<' : rest ->
+        let (name, next) = span isName rest
+         in if null name then Just "stray <" else attributes open name [] next
+      '&' : rest
+        | any (`isPrefixOf` rest) ["lt;", "gt;", "amp;", "quot;", "apos;", "#39;"] -> content open rest
+        | otherwise -> Just ("stray & before " <> take 10 rest)
+      c : rest
+        | c < ' ' && not (isSpace c) || c == '\xFFFE' || c == '\xFFFF' -> Just ("character " <> show c)
+        | otherwise -> content open rest
+    trailing more = if all isSpace more then Nothing else Just "goes on after the root"
+    attributes open name seen text = case dropWhile isSpace text of
+      '>' : rest -> content (name : open) rest
+      '/' : '>' : rest -> content open rest
+      rest ->
+        let (key, next) = span isName rest
+         in case next of
+              '=' : '"' : value
+                | not (null key)
+                , key `notElem` seen
+                , (inner, '"' : more) <- break (== '"') value
+                , '<' `notElem` inner ->
+                  attributes open name (key : seen) more
+              _ -> Just ("attributes of " <> name <> " at " <> take 20 rest)
+    isName c = isAlphaNum c || c `elem` "-:_"

@@ -1,0 +1,224 @@
+module Visibility.FormFactorSpec (spec) where
+
+import Control.Monad (forM_)
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
+import qualified Data.Set as Set
+import Numeric (readFloat)
+import System.Directory (doesFileExist, listDirectory)
+import System.FilePath ((</>))
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (Positive, sample)
+import Visibility.Exact.Point
+import Visibility.Exact.RootSum
+import Visibility.Exact.Rounding (nearestDouble)
+import Visibility.Format.Json (readSceneFile)
+import Visibility.FormFactor
+import Visibility.Scene
+import Visibility.Scene.Raw
+import Visibility.Sweep
+import Visibility.Test.Generator
+import Visibility.Test.Metamorphic
+import Visibility.View (events)
+
+spec :: Spec
+spec = do
+  describe "the measures" $
+    modifyMaxSuccess (* 10) $ do
+      it "close: a side's measures add up to twice its length, exactly" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+           in [ (objectText scene (Side side), defect)
+              | (side, defect) <- closureDefect scene (measuresIn scene)
+              , sign defect /= Zero
+              ] === []
+      it "are positive" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+           in [ (objectText scene a, objectText scene b)
+              | ((a, b), area) <- measureList scene (measuresIn scene)
+              , sign area /= Positive
+              ] === []
+      it "join no side to itself" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+           in [objectText scene a | ((a@(Side _), b), _) <- measureList scene (measuresIn scene), a == b] === []
+  describe "the form factors" $ do
+    it "of a side add up to one, exactly" $
+      property $ \(LatticeScene s) ->
+        let factors = factorsOf (sampleScene s)
+         in conjoin [ counterexample (show side) (asRational everything === Just 1)
+                    | (side, everything) <- Map.toList (Map.fromListWith plus [ (a, f)
+                                                                              | ((a, _), f) <- Map.toList factors
+                                                                              ])
+                    ]
+    it "are reciprocal, exactly" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+            factors = formFactors scene (measuresIn scene)
+            table = Map.fromList [((Side (factorFrom f), factorTo f), f) | f <- factors]
+         in conjoin
+              [ fmap (byLength scene) (Map.lookup (factorTo f, Side (factorFrom f)) table) === Just (byLength scene f)
+              | f <- factors
+              , factorTo f /= Sky
+              ]
+    it "are those that rays find, to the accuracy of sampling" $
+      property $ \(ConvexScene s) -> agreesWithRays s
+    it "are those that rays find where polygons are not convex and in rooms" $
+      property $ \(SmallScene s) -> agreesWithRays s
+    it "of facing sides of equal length at that distance are the root of two less one" $
+      lookupFactor (squareRoom []) ("E", 0) ("E", 2) `shouldBe` fromTerms [(1, 2), (-1, 1)]
+    it "of adjacent sides of a square room are one less half the root of two" $
+      lookupFactor (squareRoom []) ("E", 0) ("E", 1) `shouldBe` fromTerms [(1, 1), (-1 / 2, 2)]
+    it "of the two faces of a thin wall under the sky are one each" $
+      fmap (factorsOf . sampleScene) (sample (RawScene Nothing Nothing [rawPolygon [Point 0 0, Point 3 1]]))
+        `shouldBe` Just (Map.fromList [((SideName (Obstacle 0) k, Nothing), rational 1) | k <- [0, 1]])
+    it "of a floor and a wall in front of it are by its crossed strings less the uncrossed ones" $
+      lookupFactor (squareRoom [[ (1 / 2, 1 / 2)
+                                , (3 / 4, 1 / 2)
+                                ]]) ("E", 0) ("0", 0) `shouldBe` fromTerms [(1 / 8, 13), (-1 / 8, 5)]
+  describe "nothing but names" $
+    modifyMaxSuccess (* 2) $ do
+      it "changes when the scene is moved, scaled, turned or mirrored" $
+        property $ \(AnyScene s) -> changesNothing s (similarity (sampleRaw s))
+      it "changes when polygons and corners are counted otherwise" $
+        property $ \(AnyScene s) -> changesNothing s (relabelling (sampleRaw s))
+      it "changes when a side is cut by a flat corner: its parts add up to it" $
+        property $ \(AnyScene s) ->
+          forAll (splitSide (sampleRaw s)) $ maybe (property True) $ \split ->
+            onScene (splitScene split) $ \scene ->
+              let old = renamedFactors (splitSides split) (measuresOf (sampleScene s))
+                  (first, second) = splitParts split
+                  whole name = if name == second then first else name
+                  new = Map.fromListWith plus [ ((whole a, fmap whole b), f)
+                                              | ((a, b), f) <- Map.toList (measuresOf scene)
+                                              ]
+               in new === old
+  describe "the shared vectors" $ do
+    folders <- runIO (sort <$> listDirectory vectorFolder)
+    it "are there" $
+      length folders `shouldSatisfy` (>= 8)
+    forM_ folders $ \folder -> do
+      graphText <- runIO (textOf (vectorFolder </> folder </> "graph.txt"))
+      factorsText <- runIO (textOf (vectorFolder </> folder </> "factors.csv"))
+      it ("agree on " <> folder) $ do
+        result <- readSceneFile (vectorFolder </> folder </> "scene.json")
+        case result of
+          Left problems -> expectationFailure (show problems)
+          Right scene -> do
+            forM_ graphText $ \text ->
+              graphOf scene
+                `shouldBe` Set.fromList [ (min p q, max p q)
+                                        | line <- lines text
+                                        , [p, q] <- [mapMaybe readCornerName (words line)]
+                                        ]
+            forM_ factorsText $ \text -> do
+              let expected = Map.fromList (mapMaybe row (drop 1 (lines text)))
+                  got = Map.mapKeys (\(a, b) -> (sideText a, maybe "sky" sideText b)) (factorsOf scene)
+              Map.keys got `shouldBe` Map.keys expected
+              [ key
+                | (key, q) <- Map.toList expected
+                , Just f <- [Map.lookup key got]
+                , let gap = f `minus` rational q
+                , let bound = rational (abs q / 10 ^ (28 :: Int))
+                , gap > bound || negated gap > bound
+                ]
+                `shouldBe` []
+  where
+    measuresIn scene = measures scene (events scene (vertices scene))
+    byLength scene f = case terms (sideLength scene (factorFrom f)) of
+      [(c, n)] -> timesRoot c n (factorValue f)
+      _ -> Nothing
+    lookupFactor made from to = do
+      s <- made
+      Map.lookup (sideNamed from, Just (sideNamed to)) (factorsOf (sampleScene s))
+    sideNamed (p, k) = SideName (if p == "E" then Enclosure else Obstacle (read p)) k
+    squareRoom walls =
+      sample (RawScene Nothing (Just (rawPolygon [Point 0 0, Point 1 0, Point 1 1, Point 0 1])) [ rawPolygon [Point x y | (x, y) <- wall]
+                                                                                                | wall <- walls
+                                                                                                ])
+    textOf path = doesFileExist path >>= \there -> if there then Just <$> readFile path else pure Nothing
+    row line = case break (== ',') line of
+      (from, ',' : rest) -> case break (== ',') rest of
+        (to, ',' : value) -> case readFloat value of
+          [(q, "")] -> Just ((from, to), q :: Rational)
+          _ -> Nothing
+        _ -> Nothing
+      _ -> Nothing
+
+vectorFolder :: FilePath
+vectorFolder = "test" </> "vectors"
+
+changesNothing :: Sample -> Gen Change -> Property
+changesNothing s change = forAll change $ \c ->
+  onScene (changedScene c) $ \scene -> factorsOf scene === renamedFactors (newSide c) (factorsOf (sampleScene s))
+
+onScene :: Testable p => RawScene -> (Scene -> p) -> Property
+onScene raw f = maybe (counterexample ("not valid: " <> sampleText raw) False) (property . f . sampleScene) (sample raw)
+
+-- | Form factors by rays, in Doubles: from points spread over the side, the angles to all corners cut the half plane
+-- in front of it into intervals, in each of which one object is seen.
+agreesWithRays :: Sample -> Property
+agreesWithRays s =
+  conjoin
+    [ counterexample (show (objectText scene (Side side), objectText scene object, value, sampled)) $
+        abs (value - sampled) < 0.02
+    | side <- sides scene
+    , let exact = Map.fromList [ (factorTo f, nearestDouble (factorValue f))
+                               | f <- formFactors scene sums
+                               , factorFrom f == side
+                               ]
+    , let byRays = sampledFactors scene side
+    , object <- Map.keys (Map.union exact byRays)
+    , let value = Map.findWithDefault 0 object exact
+    , let sampled = Map.findWithDefault 0 object byRays
+    ]
+  where
+    scene = sampleScene s
+    sums = measures scene (events scene (vertices scene))
+
+sampledFactors :: Scene -> SideId -> Map.Map Object Double
+sampledFactors scene side = Map.fromListWith (+) (concatMap fromPoint [ (fromIntegral i + 0.5) / fromIntegral count
+                                                                      | i <- [0 .. count - 1]
+                                                                      ])
+  where
+    count = 100 :: Int
+    at c = let Vector2 x y = cornerAt scene c in (fromInteger x, fromInteger y) :: (Double, Double)
+    (ax, ay) = at (sideStart side)
+    (bx, by) = at (sideEnd scene side)
+    len = sqrt ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
+    -- Along the side, and to the right of it, where the space is free.
+    (tx, ty) = ((bx - ax) / len, (by - ay) / len)
+    (nx, ny) = (ty, negate tx)
+    fromPoint t =
+      [ (object, (sin b - sin a) / 2 / fromIntegral count)
+      | (a, b) <- zip bounds (drop 1 bounds)
+      , b > a
+      , Just object <- [firstHit ((a + b) / 2)]
+      ]
+      where
+        (px, py) = (ax + t * (bx - ax), ay + t * (by - ay))
+        bounds = sort (negate (pi / 2) : pi / 2 : [ atan2 along out
+                                                  | c <- corners scene
+                                                  , let (along, out) = local (at c)
+                                                  , out > 1e-9 * len
+                                                  ])
+        local (x, y) = ((x - px) * tx + (y - py) * ty, (x - px) * nx + (y - py) * ny)
+        firstHit angle = case sort [(r, s) | s <- sides scene, s /= side, Just r <- [distanceTo angle s]] of
+          (_, s) : _ -> Just (Side s)
+          [] -> case surroundings scene of OpenSky -> Just Sky; Room -> Nothing
+        -- Sides are met from their right. The ray leaves the side itself, and the other face of a wall is behind it.
+        distanceTo angle s
+          | inward > 0, r > 1e-9 * len, u >= 0, u <= 1 = Just r
+          | otherwise = Nothing
+          where
+            (cx, cy) = local (at (sideStart s))
+            (dx, dy) = local (at (sideEnd scene s))
+            (ex, ey) = (dx - cx, dy - cy)
+            (rx, ry) = (sin angle, cos angle)
+            -- Local axes (along, out) are a mirror image of (x, y).
+            inward = negate (ex * ry - ey * rx)
+            r = (cx * ey - cy * ex) / (rx * ey - ry * ex)
+            u = (cx * ry - cy * rx) / (rx * ey - ry * ex)

@@ -1,0 +1,105 @@
+module Visibility.Scene.FamilySpec (spec) where
+
+import Control.Monad (forM_)
+import Data.Either (isRight)
+import Data.List (nub)
+import Data.Maybe (isJust, mapMaybe)
+import Data.Ratio (denominator)
+import qualified Data.Text as Text
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck
+import Visibility.Exact.Point
+import Visibility.Scene.Family
+import Visibility.Scene.Raw
+import Visibility.Scene.Validate (validate)
+import Visibility.Sweep
+
+spec :: Spec
+spec = do
+  describe "names" $ do
+    it "lead back to their families" $
+      map (familyNamed . familyName) [minBound ..] `shouldBe` map Just [minBound ..]
+    it "are the promised ones, and no others" $ do
+      map familyName [minBound ..] `shouldBe` map Text.pack [ "random"
+                                                            , "sparse"
+                                                            , "grid"
+                                                            , "room"
+                                                            , "comb"
+                                                            , "thin-walls"
+                                                            , "needles"
+                                                            ]
+      familyNamed (Text.pack "Random") `shouldBe` Nothing
+    it "come with a line of purpose each" $
+      [ Text.length (Text.strip (familyPurpose kind)) > 10 && not (Text.any (== '\n') (familyPurpose kind))
+      | kind <- [minBound ..]
+      ]
+        `shouldBe` map (const True) [minBound .. maxBound :: Family]
+  describe "a size" $
+    it "is at least 1" $
+      map (fmap sizeCount . size) [-1, 0, 1, 2] `shouldBe` [Nothing, Nothing, Just 1, Just 2]
+  describe "a scene" $ do
+    forM_ [minBound ..] $ \kind -> describe (Text.unpack (familyName kind)) $ do
+      modifyMaxSuccess (`div` 2) $
+        it "is valid" $
+          property $ \seed -> forAll (choose (1, 150)) $ \n -> onSize n $ \s ->
+            isRight (validate (family kind s (Seed seed)))
+      it "has as many polygons as its size says" $
+        property $ \seed -> forAll (choose (1, 60)) $ \n -> onSize n $ \s ->
+          length (rawPolygons (family kind s (Seed seed))) === (if kind == Comb then 2 else n)
+      it "has integer coordinates" $
+        property $ \seed -> forAll (choose (1, 60)) $ \n -> onSize n $ \s ->
+          all (\(Point x y) -> denominator x == 1 && denominator y == 1) (allCorners (family kind s (Seed seed)))
+      it "stays within machine integers up to 2^14 corners" $
+        [ extent (family kind s (Seed seed)) < 2 ^ (31 :: Int)
+        | seed <- [0, 1]
+        , s <- mapMaybe size [2 ^ (14 :: Int) `div` cornersEach kind]
+        ]
+          `shouldBe` [True, True]
+      it "depends on its seed, if it is drawn at random" $
+        [ allCorners (family kind s (Seed 1)) == allCorners (family kind s (Seed 2))
+        | s <- mapMaybe size [5]
+        ] `shouldBe` [kind == Grid]
+      it "carries its family, size and seed as its name" $
+        [ rawName (family kind s (Seed 7))
+        | s <- mapMaybe size [5]
+        ] `shouldBe` [Just (Text.append (familyName kind) (Text.pack "-5-7"))]
+    forM_ (filter (/= Comb) [minBound ..]) $ \kind ->
+      it (Text.unpack (familyName kind) <> " begins with the polygons of the smaller ones") $
+        property $ \seed -> forAll (choose (1, 40)) $ \n -> forAll (choose (1, 40)) $ \more ->
+          onSize n $ \s -> onSize (n + more) $ \t ->
+            map rawCorners (rawPolygons (family kind s (Seed seed)))
+              === take n (map rawCorners (rawPolygons (family kind t (Seed seed))))
+  describe "the kinds" $ do
+    it "are what they are called" $ do
+      turnsOf Random `shouldBe` [4]
+      turnsOf Sparse `shouldBe` [4]
+      turnsOf Grid `shouldBe` [4]
+      turnsOf ThinWalls `shouldBe` [2]
+      turnsOf Needles `shouldBe` [3]
+      turnsOf Comb `shouldBe` [4 * 9 + 4]
+      map (isJust . rawEnclosure . sceneOf) [minBound ..] `shouldBe` map (== Room) [minBound ..]
+    it "random has some 150 000 visible pairs at size 1000" $
+      [pairs | pairs <- map (pairsOf Random 1000) [1, 2], pairs < 135000 || pairs > 165000] `shouldBe` []
+    it "random keeps its pairs per corner, sparse multiplies them" $ do
+      growth Random `shouldSatisfy` (< 1.4)
+      growth Sparse `shouldSatisfy` (> 3)
+    it "are the same for all time" $
+      [ take 2 (allCorners (family kind s (Seed 1))) | s <- mapMaybe size [3], kind <- [Random, Needles]]
+        `shouldBe` [[Point 2480261 2848757, Point 1888991 1468827], [Point 3931 13, Point 218 16]]
+  where
+    onSize n f = maybe (property False) (property . f) (size n)
+    allCorners raw = concatMap rawCorners (maybe id (:) (rawEnclosure raw) (rawPolygons raw))
+    extent raw = maximum xs - minimum xs `max` (maximum ys - minimum ys)
+      where
+        xs = [x | Point x _ <- allCorners raw]
+        ys = [y | Point _ y <- allCorners raw]
+    cornersEach kind = case kind of Comb -> 8; ThinWalls -> 2; Needles -> 3; _ -> 4
+    sceneOf kind = maybe (RawScene Nothing Nothing []) (\s -> family kind s (Seed 3)) (size 9)
+    turnsOf kind = nub (map (length . rawCorners) (rawPolygons (sceneOf kind)))
+    pairsOf kind n seed = sum [ length (vertexPairs v)
+                              | Just s <- [size n]
+                              , Right scene <- [validate (family kind s (Seed seed))]
+                              , v <- vertices scene
+                              ]
+    growth kind = fromIntegral (pairsOf kind 512 1) / fromIntegral (4 * pairsOf kind 128 1) :: Double
