@@ -25,9 +25,9 @@ EXE := bin/viscomplex
 
 # The Debian packages, and the same by the names and bounds of package.yaml.
 PACKAGES := ghc cabal-install hpack hspec-discover \
-  libghc-aeson-dev libghc-attoparsec-dev libghc-diagrams-lib-dev \
+  libghc-aeson-dev libghc-diagrams-lib-dev \
   libghc-diagrams-svg-dev libghc-hspec-dev libghc-optparse-applicative-dev \
-  libghc-quickcheck2-dev libghc-scientific-dev libghc-temporary-dev \
+  libghc-quickcheck2-dev libghc-svg-builder-dev libghc-temporary-dev \
   libghc-vector-dev libghc-vector-algorithms-dev
 FIGURE_PACKAGES := librsvg2-bin
 

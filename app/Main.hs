@@ -4,10 +4,12 @@ module Main (main) where
 import Command.Draw (runDraw)
 import Command.Generate (runGenerate)
 import Command.Query (runFactors, runGraph, runInfo)
+import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options
 
 main :: IO ()
 main = do
+  setLocaleEncoding utf8
   command <- readCommand
   case command of
     Info common -> runInfo common

@@ -28,11 +28,8 @@ module Visibility.Error
   , exitNumber
   , problemOutcome
   , problemsOutcome
-    -- * Broken laws
-  , BrokenLaw (..)
   ) where
 
-import Control.Exception (Exception (..))
 import Data.Char (isAlpha, isAlphaNum, isAscii, isControl, ord)
 import Data.Foldable (toList)
 import Data.List (intercalate)
@@ -300,15 +297,3 @@ problemOutcome problem = case problem of
 -- | The earliest failure decides: an unreadable file before an unparseable one before an invalid one.
 problemsOutcome :: NonEmpty Problem -> Outcome
 problemsOutcome = minimum . map problemOutcome . toList
-
--- | A law of a data structure that does not hold: thrown where it is found, never the fault of the input.
-data BrokenLaw = BrokenLaw
-  { brokenLawName :: !String
-  , brokenLawDetails :: !String
-  -- ^ What was found, with all that is needed to see it again.
-  }
-  deriving (Eq, Ord, Show)
-
-instance Exception BrokenLaw where
-  displayException (BrokenLaw name details) =
-    "an internal law is broken, which is an error of this program: " <> name <> "\n" <> details

@@ -1,6 +1,5 @@
 module Visibility.ErrorSpec (spec) where
 
-import Control.Exception (displayException)
 import Control.Monad (forM)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
@@ -61,11 +60,6 @@ spec = do
       map (exitNumber . problemOutcome) [unreadable, unparseable, invalid] `shouldBe` [2, 3, 4]
       problemsOutcome (invalid :| [unparseable]) `shouldBe` UnparseableInput
       problemsOutcome (unparseable :| [invalid, unreadable]) `shouldBe` UnreadableInput
-  describe "a broken law" $
-    it "shows its name and details" $ do
-      let text = displayException (BrokenLaw "closure" "row 3.0 sums to 2")
-      text `shouldSatisfy` isInfixOf "closure"
-      text `shouldSatisfy` isInfixOf "row 3.0 sums to 2"
 
 problemsOf :: FilePath -> IO [Problem]
 problemsOf file = do

@@ -16,7 +16,7 @@ module Visibility.Draw.Dual
   , offCanvas
   ) where
 
-import Data.List (foldl')
+import Data.List (foldl', sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
 import qualified Data.Text as Text
@@ -46,7 +46,8 @@ import Visibility.View
 --
 -- /Requires/ all events of the scene in the order of the stream. /Cost/ O(m log m), besides labels.
 --
--- /Laws/ as many dots as vertices, and one more for each vertical one; all points of a curve satisfy its equation.
+-- /Laws/ which legal order the stream has makes no difference; as many dots as vertices, and one more for each
+-- vertical one; all points of a curve satisfy its equation.
 dualDrawing :: Scene -> [Event] -> Drawing
 dualDrawing scene stream =
   Drawing
@@ -72,7 +73,8 @@ dualDrawing scene stream =
   where
     title = "Dual of " <> fromMaybe "an untitled scene" (sceneTitle scene)
     frame = frameFor scene stream
-    allEdges = edges scene stream
+    -- A corner's edges come in order whatever the sweep, corners do not.
+    allEdges = sortOn edgeCorner (edges scene stream)
     ending = [edge | edge <- allEdges, isEnding (edgeView edge)]
     tangent = [edge | edge <- allEdges, not (isEnding (edgeView edge))]
     curveMark edge =
@@ -80,7 +82,7 @@ dualDrawing scene stream =
         (Text.pack (cornerText (cornerName scene (edgeCorner edge))))
         (if isEnding (edgeView edge) then EndingCurve else TangentCurve)
         (Polyline (map (onCanvas frame) (edgeSamples frame edge)))
-    dots = concatMap (dotMarks scene frame) stream
+    dots = concatMap (dotMarks scene frame) (sortOn eventVertex stream)
     dotDensity = densityOf (2 * length dots)
     curveDensity = densityOf (length allEdges)
     axes = axisMarks frame
@@ -268,16 +270,19 @@ axisMarks frame =
   ]
     <> concatMap angleTick [-90, -75 .. 90]
     <> concatMap offsetTick (multiplesWithin step low high)
-    <> [ plain Axis (Polyline (map (uncurry Place) [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]))
+    <> [ plain Axis (Polyline (around <> take 1 around))
        , plain AxisTitle (Label MiddleAnchor (Place ((left + right) / 2) (bottom - 36)) "θ")
        , plain AxisTitle (Label EndAnchor (Place (left - 9) (top + 10)) "u")
        ]
   where
     Box left bottom right top = plot
+    around = [Place left bottom, Place right bottom, Place right top, Place left top]
     angleTick :: Int -> [Mark]
     angleTick degrees =
       plain Tick (Polyline [Place x bottom, Place x (bottom - (if isLabelled then 6 else 3))])
-        : [plain TickLabel (Label MiddleAnchor (Place x (bottom - 19)) (decimalText (toInteger degrees % 1) <> "°")) | isLabelled]
+        : [ plain TickLabel (Label MiddleAnchor (Place x (bottom - 19)) (decimalText (toInteger degrees % 1) <> "°"))
+          | isLabelled
+          ]
       where
         isLabelled = degrees `rem` 30 == 0
         Place x _ = onCanvas frame (fromIntegral degrees * pi / 180, 0)

@@ -140,7 +140,8 @@ choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap rin
             || or [crosses (at, middle) segment | Line _ segment <- walls around]
             || (r >= 6 && (leaderHidden || leaderOver))
         -- Next to other things it is less clear what a label belongs to.
-        neighbours = having (meets (widened 7 box)) (lightLines around) + having (boxesMeet (widened 7 box)) (taken around)
+        wide = widened 7 box
+        neighbours = having (meets wide) (lightLines around) + having (boxesMeet wide) (taken around)
         overlaid = if r >= 6 then having (meets halfway) (lightLines around) else 0
         cost = turned * 4 + fromIntegral (3 * crossed + neighbours + 3 * overlaid) :: Double
     having test = length . filter test

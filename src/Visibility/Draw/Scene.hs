@@ -5,7 +5,7 @@ module Visibility.Draw.Scene
   ( sceneDrawing
   ) where
 
-import Data.List (foldl')
+import Data.List (foldl', sort)
 import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -28,10 +28,10 @@ import Visibility.View (freeBitangents)
 -- /Degenerate cases/ a scene without height or width is drawn on a strip. The light of a thin wall is drawn on the
 -- face that gives it.
 --
--- /Requires/ all vertices of the scene, in any order. /Cost/ O(m + n), besides labels.
+-- /Requires/ all vertices of the scene, in any order. /Cost/ O(m log m), besides labels.
 --
--- /Laws/ every polygon and every free bitangent has exactly one mark; no label covers a line, an outline or another
--- label.
+-- /Laws/ the order of the vertices makes no difference; every polygon and every free bitangent has exactly one mark;
+-- no label covers a line, an outline or another label.
 sceneDrawing :: Scene -> [Vertex] -> Drawing
 sceneDrawing scene vertices =
   Drawing
@@ -59,8 +59,7 @@ sceneDrawing scene vertices =
     place = placeOf scene frame
     bitangents =
       [ Mark (nameOf p <> " " <> nameOf q) Bitangent (Polyline [place p, place q])
-      | vertex <- vertices
-      , (p, q) <- freeBitangents scene vertex
+      | (p, q) <- sort (concatMap (freeBitangents scene) vertices)
       ]
     nameOf = Text.pack . cornerText . cornerName scene
     polygons = map (polygonMark place) (scenePolygons scene)

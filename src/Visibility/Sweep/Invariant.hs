@@ -9,6 +9,7 @@ import Visibility.Law
 import Visibility.Scene
 import Visibility.Sweep.BruteForce (isElementary)
 import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertical

@@ -32,6 +32,7 @@ import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree
+import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical

@@ -2,7 +2,9 @@
 
 module Visibility.Draw.DualSpec (spec) where
 
+import Control.Monad ((>=>))
 import Data.Foldable (for_)
+import Data.List (sort, sortBy, sortOn)
 import Data.Maybe (mapMaybe)
 import Data.Ratio ((%))
 import qualified Data.Text as Text
@@ -13,7 +15,7 @@ import Visibility.Draw.Dual
 import Visibility.Draw.Gallery
 import Visibility.Draw.Scale
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..))
+import Visibility.Exact.Predicate (Direction (..), compareDirections)
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Test.Generator
@@ -31,7 +33,7 @@ spec = do
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             isVertical v = case vertexDirection scene v of Direction dx _ -> dx == 0
-            expected = concat [replicate (if isVertical v then 2 else 1) (names scene v) | v <- vertices scene]
+            expected = concat [replicate (if isVertical v then 2 else 1) (names scene v) | v <- sort (vertices scene)]
          in map markName (marksIn "vertices" (drawn scene)) === expected
     it "has a curve for each edge, by its kind" $
       property $ \(AnyScene s) ->
@@ -39,7 +41,7 @@ spec = do
             drawing = drawn scene
             named keep =
               [ Text.pack (cornerText (cornerName scene (edgeCorner e)))
-              | e <- edges scene (events scene (vertices scene))
+              | e <- sortOn edgeCorner (edges scene (events scene (vertices scene)))
               , keep (edgeView e)
               ]
             isEnding view = case view of Ending _ _ -> True; _ -> False
@@ -47,6 +49,11 @@ spec = do
               [ map markName (marksIn "ending" drawing) === named isEnding
               , map markName (marksIn "tangent" drawing) === named (not . isEnding)
               ]
+    it "is the same whatever the order of the stream" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            byDirection v w = compareDirections (vertexDirection scene v) (vertexDirection scene w)
+         in dualDrawing scene (events scene (sortBy byDirection (vertices scene))) === drawn scene
     it "has curves that satisfy u = -x sin θ + y cos θ, and run from left to right" $
       property $ \(AnyScene s) -> followsItsEquation (sampleScene s)
     it "has curves that satisfy it also far from the origin" $
@@ -95,16 +102,17 @@ spec = do
     drawn scene = dualDrawing scene (events scene (vertices scene))
     names scene v = Text.unwords [Text.pack (cornerText (cornerName scene c)) | c <- vertexCorners v]
     namedCorners scene text =
-      [c | word <- Text.words text, Just name <- [readCornerName (Text.unpack word)], Just c <- [cornerNamed scene name]]
+      mapMaybe (readCornerName . Text.unpack >=> cornerNamed scene) (Text.words text)
     followsItsEquation scene =
       conjoin
         [ counterexample (show mark) $
-          and [abs (u - curve scene frame c theta) < 1e-9 | (theta, u) <- points, c <- namedCorners scene (markName mark)]
-            && length (namedCorners scene (markName mark)) == 1
+          and [abs (u - curve scene frame c theta) < 1e-9 | (theta, u) <- points, c <- owners]
+            && length owners == 1
             && and (zipWith (<=) (map fst points) (drop 1 (map fst points)))
         | layer <- ["ending", "tangent"]
         , mark@(Mark _ _ (Polyline places)) <- marksIn layer (drawn scene)
         , let points = map (offCanvas frame) places
+        , let owners = namedCorners scene (markName mark)
         ]
       where
         frame = frameFor scene (events scene (vertices scene))
@@ -127,11 +135,11 @@ spec = do
 readDecimal :: String -> Maybe Rational
 readDecimal ('−' : digits) = negate <$> readDecimal digits
 readDecimal text = case break (== 'e') text of
-  (mantissa, "") -> plain mantissa
-  (mantissa, _ : '−' : power) -> (\m k -> m / 10 ^ k) <$> plain mantissa <*> natural power
-  (mantissa, _ : power) -> (\m k -> m * 10 ^ k) <$> plain mantissa <*> natural power
+  (mantissa, "") -> unsigned mantissa
+  (mantissa, _ : '−' : power) -> (\m k -> m / 10 ^ k) <$> unsigned mantissa <*> natural power
+  (mantissa, _ : power) -> (\m k -> m * 10 ^ k) <$> unsigned mantissa <*> natural power
   where
-    plain digits = case break (== '.') digits of
+    unsigned digits = case break (== '.') digits of
       (whole, "") -> fromInteger <$> natural whole
       (whole, _ : part) -> (\n -> n % (10 ^ length part)) <$> natural (whole <> part)
     natural digits

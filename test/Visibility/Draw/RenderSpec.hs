@@ -38,9 +38,9 @@ spec = do
           it "is 800 pixels wide on a white ground" $
             withValid raw $ \scene -> do
               let svg = rendered (draw scene)
-              (" width=\"800.00\"" `isInfixOf` takeWhile (/= '>') svg) `shouldBe` True
                   afterStyle = snd (Text.breakOn (Text.pack "</style>") (Text.pack svg))
                   firstShape = Text.unpack (Text.takeWhile (/= 'M') afterStyle)
+              (" width=\"800.00\"" `isInfixOf` takeWhile (/= '>') svg) `shouldBe` True
               ("fill=\"rgb(255,255,255)\"" `isInfixOf` firstShape) `shouldBe` True
           it "keeps places: one unit to a pixel, y downwards" $
             withValid raw $ \scene -> do
@@ -52,7 +52,8 @@ spec = do
     it "leaves well-formed XML" $
       property $ \(UnicodeString title) ->
         let text = Text.pack title
-            drawing = Drawing text text 800 100 [Layer (Text.pack "t") Sparse [plain Caption (Label StartAnchor (Place 5 5) text)]]
+            caption = plain Caption (Label StartAnchor (Place 5 5) text)
+            drawing = Drawing text text 800 100 [Layer (Text.pack "t") Sparse [caption]]
          in xmlFault (rendered drawing) === Nothing
   describe "any density" $
     it "draws as many pieces of line as there are" $

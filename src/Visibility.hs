@@ -1,0 +1,56 @@
+-- | The visibility complex of polygonal scenes, exactly: what most users need.
+--
+-- One thing flows through it: a file becomes a 'Scene', the scene a stream of vertices, the stream all else.
+--
+-- > Right scene <- readSceneFile "scenes/room.json"
+-- > let swept = vertices scene
+-- >     sums = measures scene (events scene swept)
+-- > mapM_ (putStrLn . decimal defaultDigits . factorValue) (formFactors scene sums)
+--
+-- Everything geometric is decided in exact arithmetic; degenerate scenes are ordinary input.
+module Visibility
+  ( -- * Scenes
+    Scene
+  , readSceneFile
+  , validate
+  , RawScene (..)
+  , RawPolygon (..)
+  , rawPolygon
+  , Point (..)
+    -- * The sweep
+  , Vertex
+  , vertices
+  , vertexCorners
+  , vertexPairs
+    -- * Views
+  , Event (..)
+  , View (..)
+  , events
+    -- * Form factors
+  , Measures
+  , measures
+  , FormFactor (..)
+  , formFactors
+    -- * Numbers
+  , RootSum
+  , decimal
+  , defaultDigits
+    -- * Figures
+  , sceneDrawing
+  , dualDrawing
+  , renderSvg
+  ) where
+
+import Visibility.Draw.Dual (dualDrawing)
+import Visibility.Draw.Render (renderSvg)
+import Visibility.Draw.Scene (sceneDrawing)
+import Visibility.Exact.Point (Point (..))
+import Visibility.Exact.RootSum (RootSum)
+import Visibility.Exact.Rounding (decimal, defaultDigits)
+import Visibility.FormFactor (FormFactor (..), Measures, formFactors, measures)
+import Visibility.Format.Json (readSceneFile)
+import Visibility.Scene (Scene)
+import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
+import Visibility.Scene.Validate (validate)
+import Visibility.Sweep (Vertex, vertexCorners, vertexPairs, vertices)
+import Visibility.View (Event (..), View (..), events)
