@@ -1,6 +1,7 @@
 module Visibility.FormFactorSpec (spec) where
 
 import Control.Monad (forM_)
+import Data.Bifunctor (bimap)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
@@ -116,7 +117,7 @@ spec = do
                                         ]
             forM_ factorsText $ \text -> do
               let expected = Map.fromList (mapMaybe row (drop 1 (lines text)))
-                  got = Map.mapKeys (\(a, b) -> (sideText a, maybe "sky" sideText b)) (factorsOf scene)
+                  got = Map.mapKeys (bimap sideText (maybe "sky" sideText)) (factorsOf scene)
               Map.keys got `shouldBe` Map.keys expected
               [ key
                 | (key, q) <- Map.toList expected

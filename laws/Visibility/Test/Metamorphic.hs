@@ -26,6 +26,7 @@ module Visibility.Test.Metamorphic
   , measuresOf
   ) where
 
+import Data.Bifunctor (bimap)
 import Data.List (elemIndex)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -228,4 +229,4 @@ tableOf part scene =
     target Sky = Nothing
 
 renamedFactors :: (SideName -> SideName) -> Factors -> Factors
-renamedFactors f = Map.mapKeys (\(s, t) -> (f s, f <$> t))
+renamedFactors f = Map.mapKeys (bimap f (fmap f))

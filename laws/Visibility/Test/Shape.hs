@@ -39,7 +39,7 @@ shape most box =
     , (2, angle box)
     , (3, choose (4, max 4 most) >>= \k -> untangled . nub <$> vectorOf k (inBox box))
     , (1, rectangle box >>= withFlatCorners)
-    , (1, hull <$> vectorOf 5 (inBox box) >>= withFlatCorners)
+    , (1, vectorOf 5 (inBox box) >>= withFlatCorners . hull)
     ]
   where
     triangle = vectorOf 3 (inBox box)

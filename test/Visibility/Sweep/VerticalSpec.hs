@@ -32,7 +32,7 @@ spec = do
         property $ \(AnyScene s) ->
           let scene = sampleScene s
               pairs = concatMap vertexPairs (bruteForce scene)
-              first heading c = case sortBy (leastSlope scene c) [q | q <- forward pairs heading c] of
+              first heading c = case sortBy (leastSlope scene c) (forward pairs heading c) of
                 CornerId q : _ -> q
                 [] -> case sight (shoot scene c (turned heading (justAfterDown scene c))) of
                   Just Sky -> skyCode scene

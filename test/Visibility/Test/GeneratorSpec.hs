@@ -26,15 +26,15 @@ spec = do
               . often 10 LongVertex
               . often 30 VerticalVertex
               . often 30 ParallelVertices
-              . often 20 InRoom
+              . often 15 InRoom
               . often 5 NonConvexRoom
               . often 20 ThinWall
               . often 3 WallInLine
-              . often 8 NonConvexObstacle
-              . often 10 FlatCorner
+              . often 5 NonConvexObstacle
+              . often 8 FlatCorner
               . often 50 ByMachine
               . often 8 ByFilter
-              . often 4 ByIntegers
+              . often 3 ByIntegers
               . often 4 Fractions
               . often 2 Alone
               $ True

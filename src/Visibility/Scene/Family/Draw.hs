@@ -26,7 +26,7 @@ instance Functor Draw where
   fmap f (Draw run) = Draw (\s -> let (a, s') = run s in (f a, s'))
 
 instance Applicative Draw where
-  pure a = Draw (\s -> (a, s))
+  pure a = Draw ((,) a)
   Draw runF <*> Draw runA = Draw (\s -> let (f, s') = runF s; (a, s'') = runA s' in (f a, s''))
 
 instance Monad Draw where

@@ -1,0 +1,204 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The command line as its users see it: the executable named by VISCOMPLEX_EXE, or bin/viscomplex.
+module CommandSpec (spec) where
+
+import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.Types as Aeson
+import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.Char (isDigit)
+import Data.Foldable (for_)
+import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import qualified Data.Set as Set
+import System.Directory (doesFileExist, listDirectory)
+import System.Environment (lookupEnv)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import System.Process (readProcessWithExitCode)
+import Test.Hspec
+import Visibility.Scene.Id (CornerName, readCornerName)
+
+-- | Runs the program with arguments and standard input: exit code, standard output, standard error.
+run :: [String] -> String -> IO (Int, String, String)
+run arguments input = do
+  exe <- fromMaybe "bin/viscomplex" <$> lookupEnv "VISCOMPLEX_EXE"
+  (code, out, err) <- readProcessWithExitCode exe arguments input
+  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
+
+-- | The output of a call that must succeed, and say nothing else.
+output :: [String] -> String -> IO String
+output arguments input = do
+  (code, out, err) <- run arguments input
+  (code, err) `shouldBe` (0, "")
+  pure out
+
+-- | A call that must fail with this exit code, print nothing, and say all of this.
+refuses :: Int -> [String] -> [String] -> String -> Expectation
+refuses wanted phrases arguments input = do
+  (code, out, err) <- run arguments input
+  (code, out) `shouldBe` (wanted, "")
+  for_ phrases $ \phrase -> err `shouldSatisfy` isInfixOf phrase
+
+-- | A pair of a line of the graph.
+pairOf :: String -> (CornerName, CornerName)
+pairOf line = case map readCornerName (words line) of
+  [Just a, Just b] -> (a, b)
+  _ -> error ("not a pair: " <> line)
+
+factorsOf :: String -> [((String, String), String)]
+factorsOf text = [((from, to), value) | line <- drop 1 (lines text), [from, to, value] <- [cells line]]
+  where
+    cells line = case break (== ',') line of
+      (cell, _ : rest) -> cell : cells rest
+      (cell, []) -> [cell]
+
+spec :: Spec
+spec = do
+  describe "every scene in scenes/" $ do
+    names <- runIO (sort . filter (".json" `isSuffix`) <$> listDirectory "scenes")
+    it "is among at least twelve" $ length names `shouldSatisfy` (>= 12)
+    it "has its line in scenes/README.md" $ do
+      text <- readFile ("scenes" </> "README.md")
+      filter (\name -> not (("(" <> name <> ")") `isInfixOf` text)) names `shouldBe` []
+    for_ names $ \name ->
+      it (name <> " is counted alike by info and graph, whose lines are sorted") $ do
+        let file = "scenes" </> name
+        info <- output ["info", file] ""
+        pairs <- lines <$> output ["graph", file] ""
+        lookup "elementary visible pairs" (infoLines info) `shouldBe` Just (show (length pairs))
+        bitangents <- lines <$> output ["graph", file, "--bitangents"] ""
+        lookup "bitangents" (infoLines info) `shouldBe` Just (show (length bitangents))
+        Set.fromList bitangents `Set.isSubsetOf` Set.fromList pairs `shouldBe` True
+        map pairOf pairs `shouldBe` sort (map pairOf pairs)
+        all (uncurry (<) . pairOf) pairs `shouldBe` True
+
+  describe "graph" $ do
+    it "streams the same lines with --unsorted" $ do
+      sorted <- lines <$> output ["graph", "scenes/flat.json"] ""
+      streamed <- lines <$> output ["graph", "scenes/flat.json", "--unsorted"] ""
+      sortOn pairOf streamed `shouldBe` sorted
+      length (nub sorted) `shouldBe` length sorted
+    it "decides alike under every exact arithmetic" $
+      for_ ["grid", "forty-digits", "thirds-and-sevenths", "flat"] $ \name -> do
+        let call arithmetic = output ["graph", "scenes" </> name <> ".json", "--arithmetic", arithmetic] ""
+        filtered <- call "filtered"
+        exact <- call "exact"
+        exact `shouldBe` filtered
+    it "streams in memory that does not grow with the number of pairs" $ do
+      few <- output ["generate", "comb", "--size", "256"] ""
+      many <- output ["generate", "sparse", "--size", "512"] ""
+      (fewPairs, fewBytes) <- residency few
+      (manyPairs, manyBytes) <- residency many
+      manyPairs `shouldSatisfy` (> 15 * fewPairs)
+      manyBytes `shouldSatisfy` (\bytes -> 2 * bytes < 3 * fewBytes)
+
+  describe "factors" $ do
+    it "writes the same factors in every format" $ do
+      csv <- factorsOf <$> output ["factors", "scenes/room.json"] ""
+      json <- output ["factors", "scenes/room.json", "--format", "json", "--exact"] ""
+      text <- output ["factors", "scenes/room.json", "--format", "text"] ""
+      let entries = do
+            document <- Aeson.decode (Lazy.pack json)
+            Aeson.parseMaybe (Aeson.withObject "document" (\o -> (,) <$> o Aeson..: "format" <*> o Aeson..: "factors")) document
+          entry = Aeson.withObject "factor" $ \o -> do
+            from <- o Aeson..: "from"
+            to <- o Aeson..: "to"
+            value <- o Aeson..: "value"
+            measure <- o Aeson..: "measure" :: Aeson.Parser [(String, String)]
+            if null measure then fail "no measure" else pure ((from, to), value)
+      fmap fst entries `shouldBe` Just ("viscomplex/1" :: String)
+      (entries >>= mapM (Aeson.parseMaybe entry) . snd) `shouldBe` Just csv
+      filter (\(_, value) -> not (value `isInfixOf` text)) csv `shouldBe` []
+    it "gives as many digits as asked, correctly rounded: √2 − 1 between unit squares a unit apart" $
+      for_ [(1, "0.4"), (2, "0.41"), (3, "0.414"), (20, "0.41421356237309504880"), (40, "0.4142135623730950488016887242096980785697")] $
+        \(n, value) -> do
+          rows <- factorsOf <$> output ["factors", "scenes/two-squares.json", "--digits", show (n :: Int)] ""
+          Map.elems (Map.filter (\v -> "0.4" `isPrefixOf` v) (Map.fromList rows)) `shouldSatisfy` elem value
+    it "reads standard input" $ do
+      text <- readFile "scenes/room.json"
+      named <- output ["factors", "scenes/room.json"] ""
+      piped <- output ["factors", "-"] text
+      piped `shouldBe` named
+
+  describe "draw" $ do
+    it "writes a figure to the file named, and nothing else" $
+      withSystemTempDirectory "viscomplex" $ \folder ->
+        for_ ["scene", "dual"] $ \figure -> do
+          let file = folder </> figure <> ".svg"
+          out <- output ["draw", figure, "scenes/room.json", "-o", file] ""
+          out `shouldBe` ""
+          svg <- readFile file
+          svg `shouldSatisfy` isInfixOf "<svg"
+          piped <- output ["draw", figure, "scenes/room.json"] ""
+          piped `shouldBe` svg
+    it "says so where it cannot write" $
+      refuses 2 ["/nowhere/at/all.svg", "cannot be written"] ["draw", "scene", "scenes/room.json", "-o", "/nowhere/at/all.svg"] ""
+
+  describe "generate" $
+    it "prints scenes that can be read, the same for the same seed" $
+      for_ ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles"] $ \name -> do
+        let call seed = output ["generate", name, "--size", "5", "--seed", seed] ""
+        scene <- call "3"
+        again <- call "3"
+        again `shouldBe` scene
+        info <- output ["info", "-"] scene
+        lookup "vertices" (infoLines info) `shouldSatisfy` maybe False (all isDigit)
+
+  describe "help" $
+    it "teaches by example, for every command" $
+      for_ ([] : map pure ["info", "graph", "factors", "draw", "generate"]) $ \command -> do
+        text <- output (command <> ["--help"]) ""
+        text `shouldSatisfy` isInfixOf "viscomplex"
+        text `shouldSatisfy` isInfixOf "Examples:"
+
+  describe "mistakes" $ do
+    it "in usage end with exit code 1" $ do
+      for_ [[], ["grpah"], ["graph"], ["graph", "a", "b"], ["draw", "picture", "scenes/room.json"], ["generate", "circles", "--size", "3"]] $
+        \arguments -> refuses 1 ["Usage"] arguments ""
+      refuses 1 ["digits"] ["factors", "scenes/room.json", "--digits", "0"] ""
+      refuses 1 ["size"] ["generate", "random", "--size", "0"] ""
+      refuses 1 ["filtered, exact, double"] ["graph", "scenes/room.json", "--arithmetic", "float"] ""
+    it "in file names end with exit code 2" $
+      refuses 2 ["scenes/no-such.json"] ["graph", "scenes/no-such.json"] ""
+    for_ ["info", "graph", "factors"] $ \command -> do
+      it ("in syntax and shape end with exit code 3 in " <> command) $ do
+        refuses 3 ["standard input"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]]"
+        refuses 3 ["colour"] [command, "-"] "{\"polygons\": [], \"colour\": 1}"
+        refuses 3 ["1/0"] [command, "-"] "{\"polygons\": [[[0,0],[\"1/0\",0],[0,1]]]}"
+        refuses 3 ["exponent"] [command, "-"] "{\"polygons\": [[[0,0],[1e999999999,0],[0,1]]]}"
+        refuses 3 ["standard input"] [command, "-"] ""
+      it ("in geometry end with exit code 4, all of them reported, in " <> command) $ do
+        refuses 4 ["standard input"] [command, "-"] "{\"polygons\": []}"
+        refuses
+          4
+          ["polygon 0", "polygon 1", "polygon 2"]
+          [command, "-"]
+          "{\"polygons\": [[[0,0],[1,1],[1,0],[0,1]], [[5,0],[6,0],[7,0]], [[10,0],[11,0],[10,0],[9,5]]]}"
+        refuses 4 ["polygon 0", "polygon 1"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[2,0],[2,1]]]}"
+  where
+    isSuffix end text = end == drop (length text - length end) text
+
+-- | The values of info by their names.
+infoLines :: String -> [(String, String)]
+infoLines text = [(trimmed name, trimmed value) | line <- lines text, let (name, value) = splitAt 26 line]
+  where
+    trimmed = unwords . words
+
+-- | The number of lines of a graph streamed, and the most bytes that were live meanwhile.
+residency :: String -> IO (Int, Int)
+residency scene =
+  withSystemTempDirectory "viscomplex" $ \folder -> do
+    writeFile (folder </> "scene.json") scene
+    let statistics = folder </> "statistics"
+    out <-
+      output
+        ["graph", folder </> "scene.json", "--unsorted", "+RTS", "-A256k", "-F1.2", "-t" <> statistics, "--machine-readable", "-RTS"]
+        ""
+    written <- doesFileExist statistics
+    written `shouldBe` True
+    text <- readFile statistics
+    let table = read (unlines (drop 1 (lines text))) :: [(String, String)]
+    pure (length (lines out), maybe 0 read (lookup "max_bytes_used" table))
