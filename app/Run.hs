@@ -14,6 +14,7 @@ import Control.Exception
   , fromException
   , handleJust
   )
+import Control.Monad (when)
 import Data.ByteString.Builder (Builder, hPutBuilder, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
@@ -22,6 +23,7 @@ import System.Exit (ExitCode (..), exitWith)
 import System.IO (hPutStrLn, hSetBinaryMode, stderr, stdout)
 import System.IO.Error (ioeGetErrorString, tryIOError)
 import Visibility.Error
+import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Json (readRawSceneFile, sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Raw (RawScene)
@@ -35,7 +37,7 @@ withScene common work = do
   reading <- readRawSceneFile (sceneFile common)
   raw <- either failed pure reading
   scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
-  handleJust broken (dump raw) (work (underArithmetic (arithmeticChoice common) scene))
+  handleJust broken (dump common raw) (work (underArithmetic (arithmeticChoice common) scene))
   where
     label = if sceneFile common == "-" then "standard input" else sceneFile common
     failed problems = do
@@ -50,9 +52,11 @@ broken exception
   | Just outside <- fromException exception = Nothing `const` (outside :: SomeAsyncException)
   | otherwise = Just exception
 
-dump :: RawScene -> SomeException -> IO a
-dump raw exception = do
+dump :: Common -> RawScene -> SomeException -> IO a
+dump common raw exception = do
   hPutStrLn stderr ("viscomplex: " <> displayException exception)
+  when (arithmeticChoice common == UnsafeDouble) $
+    hPutStrLn stderr "The arithmetic was double, which is unsafe: filtered and exact do not break laws."
   hPutStrLn stderr "The scene was:"
   hPutBuilder stderr (sceneDocument raw)
   ends LawBroken

@@ -52,7 +52,7 @@ data Sweep = Sweep
   }
   deriving (Eq, Show)
 
--- | The state just above −90°. /Cost/ O(n log² n).
+-- | The state just above −90°. /Cost/ O(n log n).
 start :: Scene -> Sweep
 start scene =
   Sweep
@@ -69,7 +69,7 @@ start scene =
 --
 -- /Degenerate cases/ all corners on a maximal free segment make one vertex, however many there are.
 --
--- /Cost/ O(m + n log² n) time for m elementary pairs, measured as chain steps; O(n) live memory.
+-- /Cost/ O(m + n log n) time for m elementary pairs, measured as chain steps; O(n) live memory.
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]

@@ -22,8 +22,9 @@ module Visibility.Sweep.Vertical
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
 import Data.Maybe (fromMaybe, listToMaybe)
-import Data.Sequence (Seq, (><))
-import qualified Data.Sequence as Seq
+import Data.Set (Set)
+import qualified Data.Set as Set
+import qualified Data.Set.Internal as Set (link, merge)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Law (broken)
 import Visibility.Exact.Predicate
@@ -77,7 +78,10 @@ data Crossing = Crossing !Int !Int
 
 -- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for each
 -- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
-data Status = Status !(Seq Crossing) !(IntMap.IntMap [Int])
+--
+-- The set is a balanced tree in which a place is found by asking of sides whether they lie below a corner, and which is cut and
+-- joined there. Its elements are never compared with each other: an order of theirs would hold at one vertical only.
+data Status = Status !(Set Crossing) !(IntMap.IntMap [Int])
 
 -- | What the plane sweep finds at a corner: floor, ceiling and first target.
 data Row = Row !Int !Int !Int
@@ -87,7 +91,7 @@ data Row = Row !Int !Int !Int
 -- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear with
 -- p on a chain stay, so that the first target is the nearest.
 --
--- /Cost/ O(n log² n) for the searches in the status, O(n) for the chains.
+-- /Cost/ O(n log n) for the status, O(n) for the chains.
 --
 -- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
 verticalSweep :: Scene -> Heading -> Vertical
@@ -95,7 +99,7 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
   where
     n = cornerCount scene
     sky = skyCode scene
-    rows = visit (Status Seq.empty (IntMap.singleton sky [])) (reverse (along heading n))
+    rows = visit (Status Set.empty (IntMap.singleton sky [])) (reverse (along heading n))
     column part = U.replicate n solid U.// [(p, part row) | (p, row) <- rows]
     floorOf (Row x _ _) = x
     ceilingOf (Row _ x _) = x
@@ -117,8 +121,8 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
     freeBelow (Crossing a b) = if next a == b then a else solid
 
     meet (Status crossing chains) p
-      | length leaving /= Seq.length ending = broken "status of the plane sweep" ("at corner " <> show p)
-      | otherwise = (Row floorSide ceilingSide target, Status (below >< Seq.fromList arriving >< above) replaced)
+      | length leaving /= Set.size ending = broken "status of the plane sweep" ("at corner " <> show p)
+      | otherwise = (Row floorSide ceilingSide target, Status crossing' chains')
       where
         neighbours = if next p == previous p then [next p] else [next p, previous p]
         arriving = map (`Crossing` p) (upwardsFrom RightTurn (filter (\q -> before heading q p) neighbours))
@@ -126,14 +130,13 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
         -- Two neighbours ordered so that the turn from the first to the second, seen from p, is the given one.
         upwardsFrom wanted [a, b] | turnOf p a b /= wanted = [b, a]
         upwardsFrom _ qs = qs
-        (below, from) = Seq.splitAt (rankOf p crossing) crossing
-        (ending, above) = Seq.spanl (\(Crossing a _) -> a == p) from
-        floorSide = case Seq.viewr below of
-          Seq.EmptyR -> beyond
-          _ Seq.:> side -> freeAbove side
-        ceilingSide = case Seq.viewl above of
-          Seq.EmptyL -> beyond
-          side Seq.:< _ -> freeBelow side
+        (below, from) = Set.spanAntitone (\(Crossing a b) -> turnOf a b p == LeftTurn) crossing
+        (ending, above) = Set.spanAntitone (\(Crossing a _) -> a == p) from
+        crossing' = case arriving of
+          [] -> Set.merge below above
+          side : others -> Set.link side below (foldr (\other -> Set.link other Set.empty) above others)
+        floorSide = maybe beyond freeAbove (Set.lookupMax below)
+        ceilingSide = maybe beyond freeBelow (Set.lookupMin above)
         chain = tangentChain p (IntMap.findWithDefault [] floorSide chains)
         target
           | floorSide == solid = fromMaybe solid (listToMaybe leaving)
@@ -141,22 +144,11 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
         extended
           | floorSide == solid = chains
           | otherwise = IntMap.insert floorSide (p : chain) chains
-        replaced = foldl' begin (foldl' end extended leaving) arriving
+        chains' = foldl' begin (foldl' end extended leaving) arriving
         end hull q = IntMap.delete (freeAbove (Crossing p q)) hull
         begin hull side
           | freeAbove side == solid = hull
           | otherwise = IntMap.insert (freeAbove side) [p] hull
-
-    -- How many sides of the status lie below corner p, by halving.
-    rankOf p status = search 0 (Seq.length status)
-      where
-        search low high
-          | low >= high = low
-          | liesBelow (Seq.index status middle) = search (middle + 1) high
-          | otherwise = search low middle
-          where
-            middle = (low + high) `div` 2
-        liesBelow (Crossing a b) = turnOf a b p == LeftTurn
 
     -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
     tangentChain p (a : b : rest) | turnOf p a b == RightTurn = tangentChain p (b : rest)
