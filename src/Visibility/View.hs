@@ -23,6 +23,7 @@ module Visibility.View
     -- * Edges
   , Edge (..)
   , edges
+  , stretches
   ) where
 
 import Control.Monad (forM_, when)
@@ -202,7 +203,7 @@ data Edge = Edge
   , edgeTo :: !Direction
   -- ^ Direction of its last vertex, or (0, 1) where the half turn ends, at 90°.
   , edgeView :: !View
-  -- ^ Never 'Buried'.
+  -- ^ Not 'Buried', unless it comes from 'stretches'.
   }
   deriving (Eq, Show)
 
@@ -210,7 +211,13 @@ data Edge = Edge
 --
 -- /Cost/ O(log n) per edge, O(n) memory.
 edges :: Scene -> [Event] -> [Edge]
-edges scene stream = concat pieces <> foldr lastEdge [] (IntMap.toList open)
+edges scene = filter (not . isBuried . edgeView) . stretches scene
+
+-- | The edges, and likewise the intervals in which a corner is buried: all curves that bound a face.
+--
+-- /Law/ those of one corner follow each other and cover the half turn.
+stretches :: Scene -> [Event] -> [Edge]
+stretches scene stream = concat pieces <> foldr lastEdge [] (IntMap.toList open)
   where
     (open, pieces) = mapAccumL close IntMap.empty stream
     downwards = Direction 0 (-1)
@@ -218,12 +225,11 @@ edges scene stream = concat pieces <> foldr lastEdge [] (IntMap.toList open)
       ( foldl' (\m (CornerId c, view) -> IntMap.insert c (to, view) m) begun (zip line after)
       , [ Edge c (maybe downwards fst (IntMap.lookup k begun)) to view
         | (c@(CornerId k), view) <- zip line before
-        , not (isBuried view)
         ]
       )
       where
         line = vertexCorners vertex
         to = vertexDirection scene vertex
     lastEdge (c, (from, view)) rest
-      | isBuried view || compareDirections from upwards == EQ = rest
+      | compareDirections from upwards == EQ = rest
       | otherwise = Edge (CornerId c) from upwards view : rest

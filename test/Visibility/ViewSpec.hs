@@ -91,11 +91,7 @@ spec = do
           let scene = sampleScene s
               free v (p, q) =
                 nextCorner scene p /= q && previousCorner scene p /= q
-                  && and [ not (enters scene c d)
-                         | c <- [p, q]
-                         , let Direction x y = vertexDirection scene v
-                         , d <- [(x, y), (-x, -y)]
-                         ]
+                  && not (or [enters scene c d | let Direction x y = vertexDirection scene v, c <- [p, q], d <- [(x, y), (-x, -y)]])
            in conjoin [freeBitangents scene v === filter (free v) (vertexPairs v) | v <- vertices scene]
   where
     isWall scene (p, q) = isWallCorner scene p && nextCorner scene p == q

@@ -118,6 +118,7 @@ data Style
   | LightRay
   | TangentCurve
   | EndingCurve
+  | BuriedCurve
   | VertexDot
   | DegenerateVertexDot
   | Axis
@@ -234,6 +235,7 @@ strokeWidth density style = case style of
   LightRay -> by 0.9 0.7 0.4 0.2
   TangentCurve -> by 1.3 0.5 0.18 0.06
   EndingCurve -> by 1.1 0.45 0.15 0.05
+  BuriedCurve -> by 1 0.4 0.15 0.05
   DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
   Axis -> 1
   Reference -> 0.8

@@ -62,8 +62,9 @@ dualDrawing scene stream =
         filter
           (not . null . layerMarks)
           [ Layer "frame" Sparse axes
-          , Layer "ending" curveDensity (map curveMark ending)
-          , Layer "tangent" curveDensity (map curveMark tangent)
+          , Layer "buried" curveDensity (map curveMark (curvesIn BuriedCurve))
+          , Layer "ending" curveDensity (map curveMark (curvesIn EndingCurve))
+          , Layer "tangent" curveDensity (map curveMark (curvesIn TangentCurve))
           , Layer "vertices" dotDensity dots
           , Layer "leaders" Sparse leaders
           , Layer "labels" Sparse labels
@@ -74,13 +75,12 @@ dualDrawing scene stream =
     title = "Dual of " <> fromMaybe "an untitled scene" (sceneTitle scene)
     frame = frameFor scene stream
     -- A corner's edges come in order whatever the sweep, corners do not.
-    allEdges = sortOn edgeCorner (edges scene stream)
-    ending = [edge | edge <- allEdges, isEnding (edgeView edge)]
-    tangent = [edge | edge <- allEdges, not (isEnding (edgeView edge))]
+    allEdges = sortOn edgeCorner (stretches scene stream)
+    curvesIn style = [edge | edge <- allEdges, curveStyle (edgeView edge) == style]
     curveMark edge =
       Mark
         (Text.pack (cornerText (cornerName scene (edgeCorner edge))))
-        (if isEnding (edgeView edge) then EndingCurve else TangentCurve)
+        (curveStyle (edgeView edge))
         (Polyline (map (onCanvas frame) (edgeSamples frame edge)))
     dots = concatMap (dotMarks scene frame) (sortOn eventVertex stream)
     dotDensity = densityOf (2 * length dots)
@@ -118,8 +118,10 @@ dualDrawing scene stream =
     legendMarks = legend left legendTop (right - left) entries
     legendTop = bottom - 44
     entries =
-      [Entry (lineSwatch [TangentCurve]) "tangent at the corner" | not (null tangent)]
-        <> [Entry (lineSwatch [EndingCurve]) "ending at the corner" | not (null ending)]
+      [ Entry (lineSwatch [style]) text
+      | (style, text) <- [(TangentCurve, "tangent at the corner"), (EndingCurve, "ending"), (BuriedCurve, "buried")]
+      , not (null (curvesIn style))
+      ]
         <> [Entry (dotSwatch VertexDot) "vertex" | any ((== VertexDot) . markStyle) dots]
         <> [ Entry (dotSwatch DegenerateVertexDot) "degenerate vertex"
            | any ((== DegenerateVertexDot) . markStyle) dots
@@ -140,9 +142,12 @@ dualDrawing scene stream =
       , (x, y) /= (0, 0)
       ]
 
-isEnding :: View -> Bool
-isEnding (Ending _ _) = True
-isEnding _ = False
+-- | Tangent and ending parts of a curve are edges of the complex; where the corner is buried, its curve still bounds a face.
+curveStyle :: View -> Style
+curveStyle view = case view of
+  Tangent {} -> TangentCurve
+  Ending _ _ -> EndingCurve
+  Buried _ -> BuriedCurve
 
 canvasWidth, canvasHeight :: Double
 canvasWidth = 800
@@ -186,7 +191,7 @@ frameFor scene stream = unfitted {frameLow = low - margin, frameHigh = high + ma
         , frameHigh = 1
         }
     Range low high = foldl' (\(Range a b) (_, u) -> Range (min a u) (max b u)) (Range (1 / 0) (-1 / 0)) drawn
-    drawn = concatMap (edgeSamples unfitted) (edges scene stream) <> concatMap (eventPoints scene unfitted) stream
+    drawn = concatMap (edgeSamples unfitted) (stretches scene stream) <> concatMap (eventPoints scene unfitted) stream
     margin = max 1e-3 (0.03 * (high - low))
 
 data Range = Range !Double !Double

@@ -143,6 +143,7 @@ look density style = case style of
   LightRay -> line dark
   TangentCurve -> line (by "#16365c" "#16365c" "#33557f")
   EndingCurve -> Look Nothing (Just (by "#d08a3e" "#d08a3e" "#dba368")) (by [4, 2.5] [3, 2] [2, 1.5])
+  BuriedCurve -> Look Nothing (Just "#8c8c8c") (by [1.2, 2.6] [1, 2] [0.8, 1.6])
   VertexDot -> Look (Just dark) Nothing []
   DegenerateVertexDot -> Look (Just "#ffffff") (Just "#b3122a") []
   Axis -> line dark

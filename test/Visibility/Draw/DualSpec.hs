@@ -35,19 +35,21 @@ spec = do
             isVertical v = case vertexDirection scene v of Direction dx _ -> dx == 0
             expected = concat [replicate (if isVertical v then 2 else 1) (names scene v) | v <- sort (vertices scene)]
          in map markName (marksIn "vertices" (drawn scene)) === expected
-    it "has a curve for each edge, by its kind" $
+    it "has a curve for each edge and each buried stretch, by its kind" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             drawing = drawn scene
             named keep =
               [ Text.pack (cornerText (cornerName scene (edgeCorner e)))
-              | e <- sortOn edgeCorner (edges scene (events scene (vertices scene)))
+              | e <- sortOn edgeCorner (stretches scene (events scene (vertices scene)))
               , keep (edgeView e)
               ]
+            isTangent' view = case view of Tangent {} -> True; _ -> False
             isEnding view = case view of Ending _ _ -> True; _ -> False
          in conjoin
               [ map markName (marksIn "ending" drawing) === named isEnding
-              , map markName (marksIn "tangent" drawing) === named (not . isEnding)
+              , map markName (marksIn "tangent" drawing) === named isTangent'
+              , map markName (marksIn "buried" drawing) === named isBuried
               ]
     it "is the same whatever the order of the stream" $
       property $ \(AnyScene s) ->
