@@ -5,10 +5,10 @@
 module Main (main) where
 
 import Control.Exception (evaluate)
-import Control.Monad (forM, forM_, when)
+import Control.Monad (forM_, replicateM, when, zipWithM)
 import Data.Foldable (traverse_)
 import Data.IORef (newIORef, readIORef)
-import Data.List (find)
+import Data.List (find, transpose)
 import Data.Maybe (mapMaybe)
 import qualified Data.Text as Text
 import GHC.Stats (getRTSStats, getRTSStatsEnabled, allocated_bytes)
@@ -32,16 +32,18 @@ main = do
   when (not enabled) $ putStrLn "run with +RTS -T for allocations"
   putStrLn (row ["family", "corners", "pairs", "pairs/corner", "us/pair", "growth", "bytes/pair", "steps/pair"])
   forM_ chosen $ \kind -> do
-    rungs <- forM (ladder kind) (measured . sceneOf kind)
+    let scenes = map (sceneOf kind) (ladder kind)
+    times <- bestTimes scenes (length . vertices)
+    rungs <- zipWithM measured scenes times
     let base = find ((>= 250) . rungCorners) rungs
     traverse_ (putStrLn . rungText (Text.unpack (familyName kind)) base) rungs
   putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
-  forM_ [25, 100, 400] $ \n -> do
-    let scene = sceneOf Random n
-        pairs = pairsSwept (finish scene)
-    best <- bestTime scene (\s -> length (measureList s (measures s (events s (vertices s)))))
-    putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (best / fromIntegral pairs)])
+  let scenes = map (sceneOf Random) [25, 100, 400]
+  times <- bestTimes scenes (\s -> length (measureList s (measures s (events s (vertices s)))))
+  forM_ (zip scenes times) $ \(scene, seconds) -> do
+    let pairs = pairsSwept (finish scene)
+    putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (seconds / fromIntegral pairs)])
 
 -- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of it.
 ladder :: Family -> [Int]
@@ -70,34 +72,38 @@ data Rung = Rung
   , rungSteps :: !Int
   }
 
-measured :: Scene -> IO Rung
-measured scene = do
-  _ <- evaluate (cornerCount scene)
+measured :: Scene -> Double -> IO Rung
+measured scene seconds = do
   let final = finish scene
       pairs = pairsSwept final
   steps <- evaluate (stepsTaken scene final)
-  best <- bestTime scene (length . vertices)
   held <- newIORef scene
   before <- allocated_bytes <$> getRTSStats
   _ <- readIORef held >>= evaluate . length . vertices
   after <- allocated_bytes <$> getRTSStats
-  pure (Rung (cornerCount scene) pairs best (fromIntegral (after - before)) steps)
+  pure (Rung (cornerCount scene) pairs seconds (fromIntegral (after - before)) steps)
 
--- | The least processor time of at least three runs that take a fifth of a second together. The scene comes out of a cell for each
--- run, so that no run can share the result of another.
-bestTime :: Scene -> (Scene -> Int) -> IO Double
-bestTime scene work = newIORef scene >>= go (0 :: Int) 0 (1 / 0)
+-- | The least processor time of some work on each scene. The scenes take turns, so that a machine that is slower for a while is so
+-- for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that no run can
+-- share the result of another.
+bestTimes :: [Scene] -> (Scene -> Int) -> IO [Double]
+bestTimes scenes work = do
+  cells <- mapM newIORef scenes
+  turns <- replicateM rounds (mapM turn cells)
+  pure (map minimum (transpose turns))
   where
-    go k total best held
-      | k >= 1000 || k >= 3 && total > 0.2 = pure best
-      | otherwise = do
-          performGC
-          fresh <- readIORef held
-          begun <- getCPUTime
-          _ <- evaluate (work fresh)
-          ended <- getCPUTime
-          let seconds = fromInteger (ended - begun) / 1e12
-          go (k + 1) (total + seconds) (min best seconds) held
+    rounds = 7 :: Int
+    turn cell = do
+      performGC
+      first <- once cell
+      others <- replicateM (min 50 (floor (0.05 / max 1e-6 first))) (once cell)
+      pure (minimum (first : others))
+    once cell = do
+      scene <- readIORef cell
+      begun <- getCPUTime
+      _ <- evaluate (work scene)
+      ended <- getCPUTime
+      pure (fromInteger (ended - begun) / 1e12 :: Double)
 
 rungText :: String -> Maybe Rung -> Rung -> String
 rungText name base rung =

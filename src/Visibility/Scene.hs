@@ -24,6 +24,8 @@ module Visibility.Scene
   , cornerPoint
   , nextCorner
   , previousCorner
+  , nextCorners
+  , previousCorners
   , isWallCorner
     -- * Sides
   , sides

@@ -7,11 +7,11 @@ import qualified Data.Vector.Unboxed as U
 import Test.Hspec hiding (pending)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
-import Visibility.Exact.Point (Arithmetic (..), Point (..))
+import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Scene.Family
-import Visibility.Scene.Raw (RawScene (..), rawPolygon)
+import Visibility.Scene.Raw (RawScene)
 import Visibility.Sweep
 import Visibility.Sweep.Topological (Sweep (..))
 import Visibility.Test.Generator
@@ -76,9 +76,7 @@ spec = do
                in conjoin
                     [ counterexample "the pair along the side" (ends `Set.member` old)
                     , Set.difference new atNew === Set.delete ends old
-                    , counterexample "both parts are pairs" (all (`Set.member` new) [ ordered (a, splitCorner split)
-                                                                                    | a <- [fst ends, snd ends]
-                                                                                    ])
+                    , counterexample "both parts are pairs" (all ((`Set.member` new) . toNew split) [fst ends, snd ends])
                     ]
   describe "the work" $ do
     it "is less than two chain steps per pair and tree, on long chains and aligned corners too" $
@@ -100,22 +98,19 @@ spec = do
         `shouldBe` []
   where
     ordered (a, b) = (min a b, max a b)
-    sideAfter s (SideName p k) = CornerName p ((k + 1) `mod` length [ ()
-                                                                    | c <- corners (sampleScene s)
-                                                                    , CornerName q _ <- [cornerName (sampleScene s) c]
-                                                                    , q == p
-                                                                    ])
+    toNew split a = ordered (a, splitCorner split)
+    -- The corner at the end of a side.
+    sideAfter s (SideName p k) = CornerName p (if CornerName p (k + 1) `elem` names s then k + 1 else 0)
+    names s = map (cornerName (sampleScene s)) (corners (sampleScene s))
     perPair scene =
       let end = finish scene
        in fromIntegral (stepsTaken scene end) / fromIntegral (pairsSwept end) :: Double
 
 -- | The corners at which a list of vertices goes back or stands still.
 outOfOrder :: Scene -> [Vertex] -> [CornerId]
-outOfOrder scene found = [ c
-                         | (c, ds) <- Map.toList directions
-                         , or (zipWith (\d e -> compareDirections d e /= LT) ds (drop 1 ds))
-                         ]
+outOfOrder scene found = [c | (c, ds) <- Map.toList directions, or (zipWith notBefore ds (drop 1 ds))]
   where
+    notBefore d e = compareDirections d e /= LT
     directions = Map.fromListWith (flip (<>)) [(c, [vertexDirection scene v]) | v <- found, c <- vertexCorners v]
 
 changesNothing :: Sample -> Gen Change -> Property
@@ -129,11 +124,13 @@ familyOf :: Family -> Int -> Maybe Scene
 familyOf kind n = size n >>= \count -> sampleScene <$> sample (family kind count (Seed 1))
 
 onFamilies :: Testable p => Int -> (Scene -> p) -> Property
-onFamilies most f = conjoin [ counterexample (show (kind, n)) (f scene)
-                            | kind <- [minBound ..]
-                            , n <- nub [1, 2, 3, most]
-                            , Just scene <- [familyOf kind n]
-                            ]
+onFamilies most f =
+  conjoin
+    [ counterexample (show (kind, n)) (f scene)
+    | kind <- [minBound ..]
+    , n <- nub [1, 2, 3, most]
+    , Just scene <- [familyOf kind n]
+    ]
 
 -- | Scenes that are costly for a careless scan of convex chains. Thin walls high on the left look past a corner down
 -- there at the end of a long chain of corners, of which they see the nearest one only. Where those corners are on one
@@ -147,15 +144,10 @@ hardScenes =
       , ("teeth on a curve", map (tooth curved) steps <> (onLooker : slots))
       , ("teeth on a line", map (tooth flat) steps <> (onLooker : slots))
       , ("walls in a row", map dash steps <> (onLooker : slots))
-      , ("squares in a lattice", [ [(3 * i, 3 * j), (3 * i + 1, 3 * j), (3 * i + 1, 3 * j + 1), (3 * i, 3 * j + 1)]
-                                 | i <- [0 .. 9]
-                                 , j <- [0 .. 9]
-                                 ])
+      , ("squares in a lattice", [square (3 * i) (3 * j) | i <- [0 .. 9], j <- [0 .. 9]])
       , ("walls in a lattice", [[(3 * i, 3 * j), (3 * i + 1, 3 * j)] | i <- [0 .. 7], j <- [0 .. 19]])
       ]
-  , Just s <- [sample (RawScene Nothing Nothing [ rawPolygon [Point (fromInteger x) (fromInteger y) | (x, y) <- loop]
-                                                | loop <- loops
-                                                ])]
+  , Just s <- [sampleOf loops]
   ]
   where
     count = 80 :: Integer
@@ -163,9 +155,9 @@ hardScenes =
     steps = [0 .. count - 1]
     flat _ = 0
     curved i = (2 * i - count) * (2 * i - count)
-    ceiling' height = [ (pitch * i, height i)
-                      | i <- [0 .. count]
-                      ] <> [(pitch * count, pitch * count), (0, pitch * count)]
+    square x y = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+    ceiling' height =
+      [(pitch * i, height i) | i <- [0 .. count]] <> [(pitch * count, pitch * count), (0, pitch * count)]
     tooth height i = [(pitch * i, height i), (pitch * i + 200000, pitch * count), (pitch * i - 200000, pitch * count)]
     dash i = [(pitch * i, 0), (pitch * i + 500000, 0)]
     onLooker = [(-3 * pitch, -2 * pitch), (-2 * pitch, -2 * pitch), (-2 * pitch, -pitch)]

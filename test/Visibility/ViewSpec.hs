@@ -1,6 +1,6 @@
 module Visibility.ViewSpec (spec) where
 
-import Data.List (group, partition, sort, sortBy)
+import Data.List (partition, sort, sortBy)
 import qualified Data.Map.Strict as Map
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -24,15 +24,15 @@ spec = do
       it "are maximal: where one follows another at a corner, the view changes, or a thin wall lies in the line" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              walls = [ (c, vertexDirection scene v)
-                      | v <- vertices scene
-                      , any (isWall scene) (vertexPairs v)
-                      , c <- vertexCorners v
-                      ]
+              wallsSeenEdgeOn =
+                [ (c, primitive (vertexDirection scene v))
+                | v <- vertices scene
+                , any (isWall scene) (vertexPairs v)
+                , c <- vertexCorners v
+                ]
            in conjoin
-                [ counterexample (show (e, f)) (edgeView e /= edgeView f || or [ c == edgeCorner e && d `along` edgeTo e
-                                                                               | (c, d) <- walls
-                                                                               ])
+                [ counterexample (show (e, f)) $
+                    edgeView e /= edgeView f || (edgeCorner e, primitive (edgeTo e)) `elem` wallsSeenEdgeOn
                 | es <- byCorner (edgesOf scene)
                 , (e, f) <- zip es (drop 1 es)
                 , primitive (edgeTo e) == primitive (edgeFrom f)
@@ -41,48 +41,38 @@ spec = do
     modifyMaxSuccess (* 4) $ do
       it "agree: what a corner sees after a vertex it sees before its next one" $
         property $ \(AnyScene s) ->
-          let histories = Map.fromListWith (flip (<>)) [ (c, [(b, a)])
-                                                       | e <- eventsOf (sampleScene s)
-                                                       , (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)
-                                                       ]
-           in conjoin [map snd (take (length h - 1) h) === map fst (drop 1 h) | h <- Map.elems histories]
+          conjoin [map snd (take (length h - 1) h) === map fst (drop 1 h) | h <- histories (sampleScene s)]
       it "begin and end with the same lines, read the other way" $
         property $ \(AnyScene s) ->
-          let ends = Map.fromListWith joined [ (c, (b, a))
-                                             | e <- eventsOf (sampleScene s)
-                                             , (c, b, a) <- zip3 (vertexCorners (eventVertex e)) (viewsBefore e) (viewsAfter e)
-                                             ]
-              joined (_, final) (first, _) = (first, final)
-           in conjoin [readBackwards final === first | (first, final) <- Map.elems ends]
+          conjoin
+            [ map (readBackwards . snd) (drop (length h - 1) h) === map fst (take 1 h)
+            | h <- histories (sampleScene s)
+            ]
       it "have one view of each corner before and one after" $
         property $ \(AnyScene s) ->
-          conjoin [ [ length (viewsBefore e)
-                    , length (viewsAfter e)
-                    ] === replicate 2 (length (vertexCorners (eventVertex e)))
-                  | e <- eventsOf (sampleScene s)
-                  ]
+          conjoin
+            [ [length (viewsBefore e), length (viewsAfter e)] === [k, k]
+            | e <- eventsOf (sampleScene s)
+            , let k = length (vertexCorners (eventVertex e))
+            ]
       it "meet each face above a curve and below a curve by turns" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
            in conjoin
-                [ counterexample (show (eventVertex e, incident)) (all alternating (Map.elems (byLabel incident)))
+                [ counterexample (show (eventVertex e, incident)) (all alternating (byLabel incident))
                 | e <- eventsOf scene
                 , views <- [viewsBefore e, viewsAfter e]
-                , let incident = zipWith (incidences scene) (vertexCorners (eventVertex e)) views
+                , let incident = incidencesOf scene e views
                 ]
       it "meet each face as often from above as from below, before and after together" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
            in conjoin
-                [ counterexample (show (eventVertex e, name)) (length above === length below)
+                [ counterexample (show (eventVertex e, flanks)) (length above === length below)
                 | e <- eventsOf scene
-                , let faces views = concat (zipWith (incidences scene) (vertexCorners (eventVertex e)) views)
-                , let signed = [(l, f) | Incidence f b a <- faces (viewsBefore e), let l = (b, a)] <> [ (l, f)
-                                                                                                      | Incidence f b a <- map crossed (faces (viewsAfter e))
-                                                                                                      , let l = (b, a)
-                                                                                                      ]
-                , name <- map (take 1) (group (sort (map fst signed)))
-                , let (above, below) = partition (== Above) [f | (l, f) <- signed, [l] == name]
+                , flanks <-
+                    byLabel (incidencesOf scene e (viewsBefore e) <> map crossed (incidencesOf scene e (viewsAfter e)))
+                , let (above, below) = partition (== Above) flanks
                 ]
   describe "a tangent pair" $
     modifyMaxSuccess (* 3) $
@@ -91,13 +81,12 @@ spec = do
           let scene = sampleScene s
               free v (p, q) =
                 nextCorner scene p /= q && previousCorner scene p /= q
-                  && not (or [enters scene c d | let Direction x y = vertexDirection scene v, c <- [p, q], d <- [(x, y), (-x, -y)]])
+                  && not (any (\c -> any (enters scene c) (bothWays (vertexDirection scene v))) [p, q])
            in conjoin [freeBitangents scene v === filter (free v) (vertexPairs v) | v <- vertices scene]
   where
     isWall scene (p, q) = isWallCorner scene p && nextCorner scene p == q
-    along d e = directionTurn d e == Collinear
-    crossed (Incidence Above b a) = Incidence Below b a
-    crossed (Incidence Below b a) = Incidence Above b a
+    crossed (Incidence flank back front) = Incidence (otherFlank flank) back front
+    bothWays (Direction x y) = [(x, y), (-x, -y)]
 
 edgesOf :: Scene -> [Edge]
 edgesOf scene = edges scene (eventsOf scene)
@@ -110,15 +99,22 @@ keyOf :: Edge -> (CornerId, Direction, Direction, View)
 keyOf e = (edgeCorner e, primitive (edgeFrom e), primitive (edgeTo e), edgeView e)
 
 byCorner :: [Edge] -> [[Edge]]
-byCorner es = map (sortBy (\e f -> fromDown (edgeFrom e) (edgeFrom f))) (Map.elems (Map.fromListWith (<>) [ (edgeCorner e, [e])
-                                                                                                          | e <- es
-                                                                                                          ]))
+byCorner es = map (sortBy fromDown) (Map.elems (Map.fromListWith (<>) [(edgeCorner e, [e]) | e <- es]))
   where
-    fromDown a b
-      | a == b = EQ
-      | a == Direction 0 (-1) = LT
-      | b == Direction 0 (-1) = GT
-      | otherwise = compareDirections a b
+    fromDown e f = case (edgeFrom e, edgeFrom f) of
+      (Direction 0 (-1), Direction 0 (-1)) -> EQ
+      (Direction 0 (-1), _) -> LT
+      (_, Direction 0 (-1)) -> GT
+      (d, d') -> compareDirections d d'
+
+-- | What each corner sees before and after each of its vertices, in their order.
+histories :: Scene -> [[(View, View)]]
+histories scene =
+  Map.elems . Map.fromListWith (flip (<>)) $
+    [ (c, [views])
+    | e <- eventsOf scene
+    , (c, views) <- zip (vertexCorners (eventVertex e)) (zip (viewsBefore e) (viewsAfter e))
+    ]
 
 -- | The view along the same line in the other direction.
 readBackwards :: View -> View
@@ -131,15 +127,16 @@ otherFlank :: Flank -> Flank
 otherFlank Above = Below
 otherFlank Below = Above
 
--- | The flanks on which a face of each label lies, in order along the line.
-byLabel :: [[Incidence]] -> Map.Map (Object, Object) [[Flank]]
-byLabel incident = Map.fromListWith (flip (<>)) [((b, a), [[f]]) | Incidence f b a <- concat incident]
+-- | The faces at all corners of a vertex, in their order along the line.
+incidencesOf :: Scene -> Event -> [View] -> [Incidence]
+incidencesOf scene e views = concat (zipWith (incidences scene) (vertexCorners (eventVertex e)) views)
 
--- | Does the label change flanks from corner to corner?
-alternating :: [[Flank]] -> Bool
-alternating flanks = and (zipWith (/=) fs (drop 1 fs))
-  where
-    fs = concat flanks
+-- | The flanks of the incidences of each label, in their order.
+byLabel :: [Incidence] -> [[Flank]]
+byLabel incident = Map.elems (Map.fromListWith (flip (<>)) [((back, front), [f]) | Incidence f back front <- incident])
+
+alternating :: [Flank] -> Bool
+alternating flanks = and (zipWith (/=) flanks (drop 1 flanks))
 
 -- | Does a direction lead from a corner into the solid? Where the corner is convex the solid is the meeting of two half
 -- planes, where it is reflex their union, where it is flat one of them; an end of a thin wall has none.

@@ -5,7 +5,7 @@ module Visibility.Test.Feature
   , flanksOf
   ) where
 
-import Data.List (tails)
+import Data.List (partition, tails)
 import Data.Ratio (denominator)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
@@ -56,6 +56,9 @@ features :: Sample -> [Feature]
 features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has feature]
   where
     found = bruteForce scene
+    (rooms, obstacles) = partition ((== Enclosure) . polygonId) (scenePolygons scene)
+    statedCorners = concatMap rawCorners (maybe id (:) (rawEnclosure raw) (rawPolygons raw))
+    isWall s (p, q) = isWallCorner s p && nextCorner s p == q
     degenerate = filter isDegenerate found
     points = scenePoints scene
     has feature = case feature of
@@ -65,31 +68,15 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
       VerticalVertex -> any isVertical found
       ParallelVertices -> or [parallel v w | (v, others) <- zip found (drop 1 (tails found)), w <- others]
       InRoom -> surroundings scene == Room
-      NonConvexRoom -> any ((== LeftTurn) . bend) [ c
-                                                  | p <- scenePolygons scene
-                                                  , polygonId p == Enclosure
-                                                  , c <- polygonCorners p
-                                                  ]
+      NonConvexRoom -> any ((== LeftTurn) . bend) (concatMap polygonCorners rooms)
       ThinWall -> any (isWallCorner scene) (corners scene)
-      WallInLine -> or [ isWallCorner scene c && nextCorner scene c `elem` line
-                       | v <- degenerate
-                       , let line = vertexCorners v
-                       , c <- line
-                       ]
-      NonConvexObstacle -> any ((== RightTurn) . bend) [ c
-                                                       | p <- scenePolygons scene
-                                                       , polygonId p /= Enclosure
-                                                       , c <- polygonCorners p
-                                                       ]
+      WallInLine -> any (any (isWall scene) . vertexPairs) degenerate
+      NonConvexObstacle -> any ((== RightTurn) . bend) (concatMap polygonCorners obstacles)
       FlatCorner -> or [bend c == Collinear | c <- corners scene, not (isWallCorner scene c)]
       ByMachine -> kernel == "machine"
       ByFilter -> kernel == "filter"
       ByIntegers -> kernel == "filter" && not (null degenerate)
-      Fractions -> any ((/= 1) . denominator) [ q
-                                              | p <- maybe id (:) (rawEnclosure raw) (rawPolygons raw)
-                                              , Point x y <- rawCorners p
-                                              , q <- [x, y]
-                                              ]
+      Fractions -> any (\(Point x y) -> denominator x /= 1 || denominator y /= 1) statedCorners
       Alone -> length (scenePolygons scene) == 1
     kernel = case pointsKernel points of
       MachineKernel _ -> "machine"

@@ -6,6 +6,7 @@ module Visibility.Test.Generator
   ( -- * Samples
     Sample (..)
   , sample
+  , sampleOf
   , sampleText
     -- * Kinds of scenes
   , AnyScene (..)
@@ -46,6 +47,10 @@ instance Show Sample where
 -- | The sample of a raw scene, if it is valid.
 sample :: RawScene -> Maybe Sample
 sample raw = either (const Nothing) (Just . Sample raw) (validate raw)
+
+-- | The sample of polygons with integer corners under the sky, if it is valid.
+sampleOf :: [[Corner]] -> Maybe Sample
+sampleOf = sample . RawScene Nothing Nothing . map ring
 
 -- | The scene as a file would state it, without materials: can be pasted into one.
 sampleText :: RawScene -> String
@@ -111,10 +116,9 @@ instance Arbitrary ConvexScene where
     pure (ConvexScene (kept (map ring loops)))
     where
       points (Box (x, y) w h) = (,) <$> choose (x, x + w) <*> choose (y, y + h)
-  shrink (ConvexScene s) = [ ConvexScene t
-                           | t <- shrinkSample s
-                           , length (rawPolygons (sampleRaw t)) < length (rawPolygons (sampleRaw s))
-                           ]
+  shrink (ConvexScene s) = [ConvexScene t | t <- shrinkSample s, polygons t < polygons s]
+    where
+      polygons = length . rawPolygons . sampleRaw
 
 instance Arbitrary HardScene where
   arbitrary = HardScene <$> (oneof [latticeScene, gridScene, needleScene] >>= dressed)
@@ -191,7 +195,7 @@ added raw polygon = maybe raw sampleRaw (sample raw {rawPolygons = rawPolygons r
 
 -- | The sample, or a triangle where no proposal was valid.
 valid :: RawScene -> Sample
-valid raw = case sample raw <|> sample (RawScene Nothing Nothing [ring [(0, 0), (1, 0), (0, 1)]]) of
+valid raw = case sample raw <|> sampleOf [[(0, 0), (1, 0), (0, 1)]] of
   Just found -> found
   Nothing -> broken "a triangle is a valid scene" ""
 

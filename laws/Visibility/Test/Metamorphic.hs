@@ -197,10 +197,9 @@ splitAtPoint raw p k point =
 type Graph = Set.Set (CornerName, CornerName)
 
 graphOf :: Scene -> Graph
-graphOf scene = Set.fromList [ inOrder (cornerName scene p) (cornerName scene q)
-                             | v <- vertices scene
-                             , (p, q) <- vertexPairs v
-                             ]
+graphOf scene = Set.fromList (map named (concatMap vertexPairs (vertices scene)))
+  where
+    named (p, q) = inOrder (cornerName scene p) (cornerName scene q)
 
 renamedGraph :: (CornerName -> CornerName) -> Graph -> Graph
 renamedGraph f = Set.map (\(p, q) -> inOrder (f p) (f q))

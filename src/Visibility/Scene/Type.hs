@@ -24,6 +24,8 @@ module Visibility.Scene.Type
   , cornerPoint
   , nextCorner
   , previousCorner
+  , nextCorners
+  , previousCorners
   , isWallCorner
     -- * Sides
   , sides
@@ -62,8 +64,10 @@ data Scene = Scene
   , sceneArithmetic :: !Arithmetic
   , scenePoints :: !Points
   -- ^ Lattice coordinates of the corners, by 'CornerId'.
-  , nextTable :: !(U.Vector Int)
-  , previousTable :: !(U.Vector Int)
+  , nextCorners :: !(U.Vector Int)
+  -- ^ 'nextCorner' as a table of indices.
+  , previousCorners :: !(U.Vector Int)
+  -- ^ 'previousCorner' as a table of indices.
   , cornerNames :: !(V.Vector CornerName)
   , sideNames :: !(V.Vector SideName)
   , materials :: !(V.Vector Material)
@@ -101,8 +105,8 @@ assemble title polygons =
     , sceneLattice = lattice
     , sceneArithmetic = Filtered
     , scenePoints = points
-    , nextTable = U.replicate n 0 U.// concatMap (cyclic . polygonCorners) placed
-    , previousTable = U.replicate n 0 U.// concatMap (cyclic . reverse . polygonCorners) placed
+    , nextCorners = U.replicate n 0 U.// concatMap (cyclic . polygonCorners) placed
+    , previousCorners = U.replicate n 0 U.// concatMap (cyclic . reverse . polygonCorners) placed
     , cornerNames = V.fromList [name | (_, name) <- ordered]
     , sideNames = V.replicate n (SideName Enclosure 0) V.// [(c, name) | (c, name, _) <- faces]
     , materials = V.fromList [m | (_, _, m) <- sortOn (\(c, _, _) -> c) faces]
@@ -160,7 +164,7 @@ underArithmetic arithmetic scene =
 
 -- | n, the number of corners.
 cornerCount :: Scene -> Int
-cornerCount = U.length . nextTable
+cornerCount = U.length . nextCorners
 
 -- | All corners in lexicographic order.
 corners :: Scene -> [CornerId]
@@ -184,12 +188,12 @@ cornerPoint scene = fromLattice (sceneLattice scene) . cornerAt scene
 
 -- | The following corner of the same polygon, the solid being on the left on the way to it.
 nextCorner :: Scene -> CornerId -> CornerId
-nextCorner scene (CornerId c) = CornerId (nextTable scene U.! c)
+nextCorner scene (CornerId c) = CornerId (nextCorners scene U.! c)
 {-# INLINE nextCorner #-}
 
 -- | The preceding corner of the same polygon. For an end of a thin wall it is the same as the following one.
 previousCorner :: Scene -> CornerId -> CornerId
-previousCorner scene (CornerId c) = CornerId (previousTable scene U.! c)
+previousCorner scene (CornerId c) = CornerId (previousCorners scene U.! c)
 {-# INLINE previousCorner #-}
 
 -- | Is this an end of a thin wall?

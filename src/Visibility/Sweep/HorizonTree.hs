@@ -146,7 +146,7 @@ sweepLine f tree size corner = do
 
 -- | The tree edge of p has been swept: find the next one.
 advance :: Frame -> Growing s -> Int -> ST s ()
-advance f tree p = do
+advance f tree !p = do
   into <- getList tree (target p)
   let !q = listOwner into
   swept <- getNode tree (edge p)
@@ -172,7 +172,7 @@ advance f tree p = do
 -- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain; where it is also linked to the edge out
 -- of q, that chain is cut first.
 release :: Frame -> Growing s -> Int -> Int -> Node -> ST s ()
-release f tree p q swept = do
+release f tree !p !q !swept = do
   isLinked <- get tree (link q)
   end <- getNode tree (final (cornerList q))
   when (isLinked == 1 && end == swept) $ getNode tree (top swept) >>= cut tree q swept
@@ -194,7 +194,7 @@ besideSolid f tree p q =
 
 -- | On the underside of a ceiling, e is the nearest vertical edge to the left of the place reached so far.
 underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
-underCeiling f tree p l e
+underCeiling f tree !p !l !e
   | e /= noNode, comesBefore f p (nodeSource f e) = settle f tree p l e
   | a < frameSize f, comesBefore f p a = getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
   | otherwise = settle f tree p l e
@@ -205,11 +205,11 @@ underCeiling f tree p l e
 -- the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is searched from both of
 -- its ends by turns, so the cost is at most twice the distance to the nearer one.
 settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
-settle f tree p = alongChains f tree p noNode noNode
+settle f tree !p = alongChains f tree p noNode noNode
 
 -- | The last chain touched so far had this leaf and top.
 alongChains :: Frame -> Growing s -> Int -> Node -> Node -> List -> Node -> ST s ()
-alongChains f tree p !deepest !highest !l !e = do
+alongChains f tree !p !deepest !highest !l !e = do
   countStep f tree
   hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
   if not hidden
@@ -226,7 +226,7 @@ alongChains f tree p !deepest !highest !l !e = do
 -- | Where the tangent from p touches a chain. The far end goes down from e, the near end up from the leaf; hiding is monotone along
 -- the chain.
 tangentPoint :: Frame -> Growing s -> Int -> Node -> Node -> ST s Int
-tangentPoint f tree p !near !e = do
+tangentPoint f tree !p !near !e = do
   countStep f tree
   let !t = nodeSource f e
   isLinked <- get tree (link t)
@@ -272,7 +272,7 @@ countStep f tree = get tree (counter (frameSize f)) >>= put tree (counter (frame
 -- | Makes l the target of p, just after node e in it. The last two nodes are the leaf and the top of the chain that the tangent from p
 -- touched, 'noNode' where there was none.
 attach :: Frame -> Growing s -> Int -> List -> Node -> Node -> Node -> ST s ()
-attach f tree p l e deepest highest = do
+attach f tree !p !l !e !deepest !highest = do
   putList tree (target p) l
   when (isCornerList l && deepest /= noNode) $ do
     isLinked <- get tree (link t)
@@ -292,7 +292,7 @@ attach f tree p l e deepest highest = do
 
 -- | Links t if its edges allow it; t is not linked. See Note [Convex chains].
 relink :: Frame -> Growing s -> Int -> ST s ()
-relink f tree t = do
+relink f tree !t = do
   e <- getNode tree (final (cornerList t))
   g <- getNode tree (edge t)
   unless (e == noNode || g == noNode) $ do
@@ -308,7 +308,7 @@ relink f tree t = do
 
 -- | Do the edge from s into t and the edge from t to its target bound a common empty region from below?
 continues :: Frame -> Int -> Int -> List -> Bool
-continues f s t ahead =
+continues f !s !t !ahead =
   not (separates f t ahead (following f t))
     && not (separates f t ahead (preceding f t))
     && (not (isCornerList ahead) || turnIn f s t (listOwner ahead) /= RightTurn)
@@ -331,7 +331,7 @@ linkable f table t =
 
 -- | Splits the chain with this leaf and top at the linked corner t.
 cut :: Growing s -> Int -> Node -> Node -> ST s ()
-cut tree t deepest highest = do
+cut tree !t !deepest !highest = do
   e <- getNode tree (final (cornerList t))
   g <- getNode tree (edge t)
   putNode tree (leaf e) deepest
@@ -342,7 +342,7 @@ cut tree t deepest highest = do
 
 -- | Puts a node into a list after the node e, or in front for 'noNode'.
 insertAfter :: Growing s -> List -> Node -> Node -> ST s ()
-insertAfter tree l e node = do
+insertAfter tree !l !e !node = do
   above <- getNode tree (if e == noNode then first l else upper e)
   putNode tree (lower node) e
   putNode tree (upper node) above
@@ -351,7 +351,7 @@ insertAfter tree l e node = do
 
 -- | Takes a node out of a list.
 unlink :: Growing s -> List -> Node -> ST s ()
-unlink tree l node = do
+unlink tree !l !node = do
   below <- getNode tree (lower node)
   above <- getNode tree (upper node)
   putNode tree (if below == noNode then first l else upper below) above

@@ -24,7 +24,7 @@ module Visibility.Sweep.Topological
 import Control.Monad.ST (ST, runST)
 import Data.Bits (complement)
 import Data.Int (Int32)
-import Data.List (foldl', unfoldr)
+import Data.List (unfoldr)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Law (broken)
@@ -73,19 +73,23 @@ start scene =
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]
-vertices scene = concatMap fst (pieces scene)
+vertices scene = go (start scene)
+  where
+    go state = case steps scene (pieceSize scene) state of
+      ([], _) -> []
+      (found, state') -> found <> go state'
 
 -- | The state at the end of the half turn. /Cost/ that of 'vertices'.
 finish :: Scene -> Sweep
-finish scene = foldl' (\_ (_, state) -> state) (start scene) (pieces scene)
-
--- | The sweep in pieces of n vertices, each with the state after it.
-pieces :: Scene -> [([Vertex], Sweep)]
-pieces scene = unfoldr several (start scene)
+finish scene = go (start scene)
   where
-    several state = case steps scene (max 64 (cornerCount scene)) state of
-      ([], _) -> Nothing
-      (found, state') -> Just ((found, state'), state')
+    go state = case steps scene (pieceSize scene) state of
+      ([], state') -> state'
+      (_, state') -> go state'
+
+-- | How many vertices are swept on one copy of the state: enough for the copy to cost little beside them.
+pieceSize :: Scene -> Int
+pieceSize scene = max 64 (4 * cornerCount scene)
 
 -- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
@@ -132,12 +136,17 @@ decoded written = from 0
   where
     from i
       | i >= U.length written = []
-      | otherwise = let (rest, next) = others (i + 2) (corner (i + 1)) in Vertex (cornerId i) (cornerId (i + 1)) rest : from next
-    others i previous
-      | previous < 0 = ([], i)
-      | otherwise = let (rest, next) = others (i + 1) (corner i) in (cornerId i : rest, next)
-    corner i = written U.! i
-    cornerId i = let c = corner i in CornerId (fromIntegral (if c < 0 then complement c else c))
+      | next < 0 = Vertex a (CornerId (complement next)) [] : from (i + 2)
+      | otherwise = let rest = others (i + 2) in Vertex a (CornerId next) rest : from (i + 2 + length rest)
+      where
+        a = CornerId (at' i)
+        next = at' (i + 1)
+    others i
+      | c < 0 = [CornerId (complement c)]
+      | otherwise = CornerId c : others (i + 1)
+      where
+        c = at' i
+    at' i = fromIntegral (written U.! i) :: Int
 
 -- | Takes corners off the stack until so many vertices have been swept, or there is no room to write another. Gives the size
 -- of what has been written, the depth of the stack and the number of pairs swept.
@@ -196,7 +205,7 @@ data Readiness
 
 -- | Looks at the next pair of p to the right, then at that to the left.
 readyAt :: Points -> Growing s -> Growing s -> Int -> ST s Readiness
-readyAt points right left p = do
+readyAt points right left !p = do
   l <- getList right (target p)
   onRight <- if isCorner l then readyLine points right left p (listOwner l) else pure NotReady
   case onRight of
@@ -212,7 +221,7 @@ isCorner l = l /= noList && isCornerList l
 -- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of its
 -- corners, and no other unswept pair at its ends has a lesser slope.
 readyLine :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
-readyLine points right left p q = do
+readyLine points right left !p !q = do
   there <- getList right (target p)
   back <- getList left (target q)
   if there /= cornerList q || back /= cornerList p

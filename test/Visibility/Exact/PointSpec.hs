@@ -13,10 +13,12 @@ newtype SomePoints = SomePoints [Point]
 instance Arbitrary SomePoints where
   arbitrary = SomePoints <$> listOf1 (Point <$> coordinate <*> coordinate)
     where
-      coordinate = oneof [ fromInteger <$> choose (-9, 9)
-                         , (%) <$> choose (-99, 99) <*> choose (1, 30)
-                         , (*) . (10 ^^) <$> choose (-40, 40 :: Int) <*> arbitrary
-                         ]
+      coordinate =
+        oneof
+          [ fromInteger <$> choose (-9, 9)
+          , (%) <$> choose (-99, 99) <*> choose (1, 30)
+          , (*) . (10 ^^) <$> choose (-40, 40 :: Int) <*> arbitrary
+          ]
   shrink (SomePoints ps) = [SomePoints qs | qs <- shrinkList (const []) ps, not (null qs)]
 
 spec :: Spec
@@ -55,10 +57,8 @@ spec = do
                    , _ <- [(), ()]
                    ]
     it "is what is asked for" $
-      map (kernelName . (`pointsOn` [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound] `shouldBe` [ "machine"
-                                                                                                   , "integer"
-                                                                                                   , "double"
-                                                                                                   ]
+      map (kernelName . (`pointsOn` [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound]
+        `shouldBe` ["machine", "integer", "double"]
     it "can be chosen anew without touching the points" $
       property $ \a b (SomePoints ps) ->
         let l = latticeFor ps
@@ -78,9 +78,8 @@ spec = do
           let extent = maximum (concat [[x, y] | Vector2 x y <- extents])
               k = length (takeWhile (<= extent) (iterate (* 2) 1))
               exact = concat [[x % 2 ^ k, y % 2 ^ k] | Vector2 x y <- extents]
-              stored = concat [ [(xs U.! i, xs U.! (i + 2)), (xs U.! (i + 1), xs U.! (i + 3))]
-                              | i <- [0, 4 .. U.length xs - 4]
-                              ]
+              stored = concat [[pair i, pair (i + 1)] | i <- [0, 4 .. U.length xs - 4]]
+              pair i = (xs U.! i, xs U.! (i + 2))
            in conjoin
                 [ counterexample (show (q, d, e)) $
                     let off = abs (q - toRational d) in off <= toRational e && (off /= 0 || e == 0) && d < 1

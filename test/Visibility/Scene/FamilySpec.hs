@@ -59,11 +59,11 @@ spec = do
       it "depends on its seed, if it is drawn at random" $
         [ allCorners (family kind s (Seed 1)) == allCorners (family kind s (Seed 2))
         | s <- mapMaybe size [5]
-        ] `shouldBe` [kind == Grid]
+        ]
+          `shouldBe` [kind == Grid]
       it "carries its family, size and seed as its name" $
-        [ rawName (family kind s (Seed 7))
-        | s <- mapMaybe size [5]
-        ] `shouldBe` [Just (Text.append (familyName kind) (Text.pack "-5-7"))]
+        [rawName (family kind s (Seed 7)) | s <- mapMaybe size [5]]
+          `shouldBe` [Just (Text.append (familyName kind) (Text.pack "-5-7"))]
     forM_ (filter (/= Comb) [minBound ..]) $ \kind ->
       it (Text.unpack (familyName kind) <> " begins with the polygons of the smaller ones") $
         property $ \seed -> forAll (choose (1, 40)) $ \n -> forAll (choose (1, 40)) $ \more ->
@@ -85,7 +85,7 @@ spec = do
       growth Random `shouldSatisfy` (< 1.4)
       growth Sparse `shouldSatisfy` (> 3)
     it "are the same for all time" $
-      [ take 2 (allCorners (family kind s (Seed 1))) | s <- mapMaybe size [3], kind <- [Random, Needles]]
+      [take 2 (allCorners (family kind s (Seed 1))) | s <- mapMaybe size [3], kind <- [Random, Needles]]
         `shouldBe` [[Point 2480261 2848757, Point 1888991 1468827], [Point 3931 13, Point 218 16]]
   where
     onSize n f = maybe (property False) (property . f) (size n)
@@ -97,9 +97,11 @@ spec = do
     cornersEach kind = case kind of Comb -> 8; ThinWalls -> 2; Needles -> 3; _ -> 4
     sceneOf kind = maybe (RawScene Nothing Nothing []) (\s -> family kind s (Seed 3)) (size 9)
     turnsOf kind = nub (map (length . rawCorners) (rawPolygons (sceneOf kind)))
-    pairsOf kind n seed = sum [ length (vertexPairs v)
-                              | Just s <- [size n]
-                              , Right scene <- [validate (family kind s (Seed seed))]
-                              , v <- vertices scene
-                              ]
+    pairsOf kind n seed =
+      sum
+        [ length (vertexPairs v)
+        | Just s <- [size n]
+        , Right scene <- [validate (family kind s (Seed seed))]
+        , v <- vertices scene
+        ]
     growth kind = fromIntegral (pairsOf kind 512 1) / fromIntegral (4 * pairsOf kind 128 1) :: Double

@@ -4,6 +4,7 @@ import Data.List (inits, sortBy)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Vector2 (..))
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep
@@ -54,14 +55,11 @@ spec =
     upward scene Leftward c = shoot scene c (steep scene c)
     opposed (Direction x y) = Direction (-x) (-y)
     nextPair scene pairs swept heading c =
-      case sortBy (bySlope scene c) [ q
-                                    | (a, b) <- pairs
-                                    , (a, b) `notElem` swept
-                                    , (p, q) <- [if heading == Rightward then (a, b) else (b, a)]
-                                    , p == c
-                                    ] of
+      case sortBy (bySlope scene c) (concatMap (from heading c) (filter (`notElem` swept) pairs)) of
         q : _ -> Just q
         [] -> Nothing
+    from Rightward c (a, b) = [b | a == c]
+    from Leftward c (a, b) = [a | b == c]
     bySlope scene (CornerId c) (CornerId p) (CornerId q) = case turn (scenePoints scene) c p q of
       LeftTurn -> LT
       Collinear -> EQ
@@ -69,10 +67,6 @@ spec =
 
 -- | A direction after -90 degrees, steeper than any line of two corners that is not vertical.
 steep :: Scene -> CornerId -> Direction
-steep scene _ = Direction 1 (-1 - maximum [ abs y
-                                          | p <- corners scene
-                                          , q <- corners scene
-                                          , let Direction _ y = between p q
-                                          ])
+steep scene _ = Direction 1 (-1 - height)
   where
-    between (CornerId p) (CornerId q) = direction (scenePoints scene) p q
+    height = maximum (0 : [y | c <- corners scene, let Vector2 _ y = cornerAt scene c])

@@ -36,10 +36,7 @@ parts =
     eachCorner field n _ = map field [0 .. n - 1]
     listsOf n = map cornerList [0 .. n - 1] <> map ceilingList [0 .. n - 1] <> [skyList n]
     nodeNumbers n = [e | Node e <- noNode : map edgeNode [0 .. n - 1] <> map markerNode [0 .. n - 1]]
-    listed n table = concat [ takeWhile (/= noNode) (iterate (nodeAt table . upper) (nodeAt table (first l)))
-                            | l <- listsOf n
-                            , nodeAt table (first l) /= noNode
-                            ]
+    listed n table = concatMap (takeWhile (/= noNode) . iterate (nodeAt table . upper) . nodeAt table . first) (listsOf n)
     topNodes n table =
       [ node
       | p <- [0 .. n - 1]
@@ -81,11 +78,10 @@ spec = do
             states = start scene : map snd (trace scene)
             early = [state | (state, vertex) <- zip states (map fst (trace scene)), not (isDegenerate vertex)]
          in not (null early) ==> forAll (elements [0 .. length early - 1]) $ \k ->
-              conjoin [ noticed s state {pending = U.empty, isPending = U.map (const 0) (isPending state)}
-                      | state <- take 1 (drop k early)
-                      ]
+              conjoin (map (noticed s . withoutPending) (take 1 (drop k early)))
   where
     noticed s state = counterexample "not noticed" (not (null (violations (sampleScene s) state)))
+    withoutPending state = state {pending = U.empty, isPending = U.map (const 0) (isPending state)}
     some xs = case xs of [] -> pure []; _ -> vectorOf 4 (elements xs)
 
 treeOf :: Heading -> Sweep -> Table

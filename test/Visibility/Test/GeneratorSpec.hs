@@ -49,9 +49,11 @@ spec = do
       property $ \(ConvexScene s) -> [f | f <- features s, f `elem` [NonConvexObstacle, FlatCorner, InRoom]] === []
   describe "shrunk scenes" $ do
     it "are valid and other than before" $
-      property $ \(AnyScene s) -> conjoin [ counterexample (show t) (isRight (validate (sampleRaw t)) && sampleRaw t /= sampleRaw s)
-                                          | t <- shrinkSample s
-                                          ]
+      property $ \(AnyScene s) ->
+        conjoin
+          [ counterexample (show t) (isRight (validate (sampleRaw t)) && sampleRaw t /= sampleRaw s)
+          | t <- shrinkSample s
+          ]
     it "come to an end" $
       property $ \(AnyScene s) -> forAll (choose (0, 5)) $ \k ->
         let once' = concatMap (take 1 . drop k . cycle' . shrinkSample)
@@ -60,10 +62,12 @@ spec = do
     it "hulls hold all points and turn left" $
       property $ \points ->
         let loop = hull points
-         in length loop > 2 ==> conjoin [ counterexample (show (a, b, c)) (leftOf a b c || (c `elem` [a, b]) || onLine a b c)
-                                        | (a, b) <- zip loop (drop 1 (cycle loop))
-                                        , c <- points
-                                        ]
+         in length loop > 2 ==>
+              conjoin
+                [ counterexample (show (a, b, c)) (leftOf a b c || onLine a b c)
+                | (a, b) <- zip loop (drop 1 (cycle loop))
+                , c <- points
+                ]
     it "untangling loses no corner" $
       property $ \points -> let ps = take 8 (nub points) in length (nub (untangled ps)) === length ps
   where

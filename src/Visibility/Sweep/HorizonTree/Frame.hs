@@ -33,13 +33,11 @@ frame :: Scene -> Heading -> Frame
 frame scene heading =
   Frame
     { frameHeading = heading
-    , frameSize = n
+    , frameSize = cornerCount scene
     , framePoints = scenePoints scene
-    , followings = U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in q)
-    , precedings = U.generate n (\p -> let CornerId q = previousCorner scene (CornerId p) in q)
+    , followings = nextCorners scene
+    , precedings = previousCorners scene
     }
-  where
-    n = cornerCount scene
 
 following, preceding :: Frame -> Int -> Int
 following f p = followings f U.! p
