@@ -20,6 +20,8 @@ data Counts = Counts
   , bitangentCount :: !Int
   -- ^ Elementary pairs whose line is tangent at both corners, sides left out.
   , edgeCount :: !Int
+  , buriedCount :: !Int
+  -- ^ Intervals between consecutive vertices of a corner in which it is buried.
   , faceCount :: !Int
   }
   deriving (Eq, Show)
@@ -31,8 +33,11 @@ data Counts = Counts
 -- from below.
 --
 -- /Cost/ O(log k) per corner of a vertex with k corners.
+--
+-- /Laws/ V − E − B + F = W + 1 under an open sky and W in a room, for V vertices, E edges, B buried intervals, F faces and
+-- W thin walls. In general position the complex of polygons under an open sky has E = 2 V and F = V + 1.
 count :: Scene -> [Event] -> Counts
-count scene = foldl' add (Counts 0 0 0 0 0 unbounded)
+count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
   where
     unbounded = case surroundings scene of
       OpenSky -> 1
@@ -44,6 +49,7 @@ count scene = foldl' add (Counts 0 0 0 0 0 unbounded)
         , pairCount = pairCount counts + length (vertexPairs vertex)
         , bitangentCount = bitangentCount counts + length (freeBitangents scene vertex)
         , edgeCount = edgeCount counts + length (filter (not . isBuried) after)
+        , buriedCount = buriedCount counts + length (filter isBuried after)
         , faceCount = faceCount counts + facesBegun scene (zip (vertexCorners vertex) after)
         }
 
