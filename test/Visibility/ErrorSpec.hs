@@ -4,7 +4,7 @@ import Control.Monad (forM)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_, toList)
-import Data.List (isInfixOf, sort)
+import Data.List (sort)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Set as Set
 import qualified Data.Text as Text
