@@ -93,7 +93,7 @@ data Kernel
     -- two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
     MachineKernel !(U.Vector Int)
   | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the one k
-    -- that brings all coordinates below 1.
+    -- that brings all coordinates below 1; the Doubles are at most 1.
     FilterKernel !(U.Vector Double)
   | IntegerKernel
   | -- | x and y of corner i at 2i and 2i+1, rounded.
@@ -165,6 +165,4 @@ scaledDouble k x = fromRational (x % (1 `shiftL` k))
 errorBound :: Int -> Integer -> Double -> Double
 errorBound k x d
   | toRational d == x % (1 `shiftL` k) = 0
-  | otherwise = d * unitRoundoff * (1 + 2 ^^ (-50 :: Int)) + 2 ^^ (-1070 :: Int)
-  where
-    unitRoundoff = 2 ^^ (-53 :: Int)
+  | otherwise = d * encodeFloat 1 (-53) * (1 + encodeFloat 1 (-50)) + encodeFloat 1 (-1070)

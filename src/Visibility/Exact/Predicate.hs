@@ -67,7 +67,7 @@ machineTurn xs a b c = signTurn (fromIntegral det :: Int64)
 -- For a product P = D1·D2 and P̂ = fl(D̂1·D̂2): |P - P̂| <= |D̂1|E2 + |D̂2|E1 + E1E2 + u|P̂| + 2^-1074.
 -- The determinant is P1 - P2, computed with one more rounding of at most u|det^|. The sum of these terms is the bound.
 -- It is itself computed in about twenty operations on non-negative Doubles, each with relative error at most u or an
--- absolute loss of 2^-1074 by underflow; all coordinates are below 1, so nothing overflows. The factor 1 + 2^-40 and the
+-- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
 -- summand 2^-1000 dominate those losses. So a computed |det^| above the computed bound has the sign of the determinant.
 filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Turn
 filteredTurn points xs a b c
@@ -95,9 +95,9 @@ filteredTurn points xs a b c
           + product' dy1 ey1 dx2 ex2
           + unitRoundoff * (abs left + abs right + abs det)
       )
-        * (1 + 2 ^^ (-40 :: Int))
-        + 2 ^^ (-1000 :: Int)
-    unitRoundoff = 2 ^^ (-53 :: Int) :: Double
+        * (1 + encodeFloat 1 (-40))
+        + encodeFloat 1 (-1000)
+    unitRoundoff = encodeFloat 1 (-53) :: Double
 
 {-# NOINLINE filteredTurn #-}
 

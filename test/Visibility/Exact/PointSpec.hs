@@ -82,7 +82,7 @@ spec = do
               pair i = (xs U.! i, xs U.! (i + 2))
            in conjoin
                 [ counterexample (show (q, d, e)) $
-                    let off = abs (q - toRational d) in off <= toRational e && (off /= 0 || e == 0) && d < 1
+                    let off = abs (q - toRational d) in off <= toRational e && (off /= 0 || e == 0) && d <= 1
                 | (q, (d, e)) <- zip exact stored
                 ]
         _ -> counterexample "no filter" False
