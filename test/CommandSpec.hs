@@ -134,6 +134,11 @@ spec = do
           svg `shouldSatisfy` isInfixOf "<svg"
           piped <- output ["draw", figure, "scenes/room.json"] ""
           piped `shouldBe` svg
+    it "draws the figures of the README" $
+      for_ [("scene", "room.svg"), ("dual", "room-dual.svg")] $ \(figure, file) -> do
+        svg <- output ["draw", figure, "scenes/room.json"] ""
+        shown <- readFile ("docs" </> "figures" </> file)
+        svg `shouldBe` shown
     it "says so where it cannot write" $
       refuses 2 ["/nowhere/at/all.svg", "cannot be written"] ["draw", "scene", "scenes/room.json", "-o", "/nowhere/at/all.svg"] ""
 

@@ -1,4 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE HexFloatLiterals #-}
 
 -- | Every sign decision of the project. Nothing else compares determinants.
 --
@@ -95,9 +96,9 @@ filteredTurn points xs a b c
           + product' dy1 ey1 dx2 ex2
           + unitRoundoff * (abs left + abs right + abs det)
       )
-        * (1 + encodeFloat 1 (-40))
-        + encodeFloat 1 (-1000)
-    unitRoundoff = encodeFloat 1 (-53) :: Double
+        * (1 + 0x1p-40)
+        + 0x1p-1000
+    unitRoundoff = 0x1p-53
 
 {-# NOINLINE filteredTurn #-}
 

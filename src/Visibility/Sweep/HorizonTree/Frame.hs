@@ -20,37 +20,48 @@ import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertical
 
--- | A scene as a heading sees it, with what the steps need at hand.
-data Frame = Frame
-  { frameHeading :: !Heading
-  , frameSize :: !Int
-  , framePoints :: !Points
+-- | A scene as a heading sees it. A sum, not a product with a heading in it: so it is passed to the steps as one pointer instead of
+-- field by field, and the numbers beside it fit into registers.
+data Frame = RightwardFrame !Tables | LeftwardFrame !Tables
+
+-- | What the steps need at hand.
+data Tables = Tables
+  { tableSize :: !Int
+  , tablePoints :: !Points
   , followings :: !(U.Vector Int)
   , precedings :: !(U.Vector Int)
   }
 
 frame :: Scene -> Heading -> Frame
-frame scene heading =
-  Frame
-    { frameHeading = heading
-    , frameSize = cornerCount scene
-    , framePoints = scenePoints scene
-    , followings = nextCorners scene
-    , precedings = previousCorners scene
-    }
+frame scene heading = case heading of
+  Rightward -> RightwardFrame tables
+  Leftward -> LeftwardFrame tables
+  where
+    tables = Tables (cornerCount scene) (scenePoints scene) (nextCorners scene) (previousCorners scene)
+
+tablesOf :: Frame -> Tables
+tablesOf (RightwardFrame tables) = tables
+tablesOf (LeftwardFrame tables) = tables
+{-# INLINE tablesOf #-}
+
+-- | How many corners the scene has.
+frameSize :: Frame -> Int
+frameSize = tableSize . tablesOf
+{-# INLINE frameSize #-}
 
 following, preceding :: Frame -> Int -> Int
-following f p = followings f U.! p
-preceding f p = precedings f U.! p
+following f p = followings (tablesOf f) U.! p
+preceding f p = precedings (tablesOf f) U.! p
 {-# INLINE following #-}
 {-# INLINE preceding #-}
 
 comesBefore :: Frame -> Int -> Int -> Bool
-comesBefore = before . frameHeading
+comesBefore (RightwardFrame _) = before Rightward
+comesBefore (LeftwardFrame _) = before Leftward
 {-# INLINE comesBefore #-}
 
 turnIn :: Frame -> Int -> Int -> Int -> Turn
-turnIn = turn . framePoints
+turnIn = turn . tablePoints . tablesOf
 {-# INLINE turnIn #-}
 
 -- | The corner that a node comes from.
