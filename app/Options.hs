@@ -107,8 +107,8 @@ whole =
     ( fullDesc
         <> header "viscomplex: the exact visibility complex of polygonal scenes"
         <> progDesc
-          "What sees what in a scene of polygons, decided without rounding: the visibility graph by a topological sweep, \
-          \form factors as exact sums of square roots, figures. Scenes are JSON files; - is standard input."
+          "What sees what in a scene of polygons, decided without rounding: the visibility graph by a topological \
+          \sweep, form factors as exact sums of square roots, figures. Scenes are JSON files; - is standard input."
         <> examples
           [ ("a scene to try things on", "viscomplex generate random --size 10 > ten.json")
           , ("how big is its complex?", "viscomplex info ten.json")
@@ -117,7 +117,8 @@ whole =
           , ("pictures", "viscomplex draw scene ten.json -o ten.svg\nviscomplex draw dual ten.json -o ten-dual.svg")
           , ("from another program", "viscomplex generate grid --size 9 | viscomplex graph -")
           ]
-          "Exit codes: 0 done, 1 wrong usage, 2 unreadable file, 3 not parseable, 4 invalid scene, 70 broken internal law.\n\
+          "Exit codes: 0 done, 1 wrong usage, 2 unreadable file, 3 not parseable, 4 invalid scene,\n\
+          \70 broken internal law.\n\
           \'viscomplex COMMAND --help' explains a command."
     )
   where
@@ -139,18 +140,18 @@ commands =
         <> examples [("a file", "viscomplex info scenes/grid.json")] ""
     graphHelp =
       progDesc
-        "Print the elementary visible pairs of corners, one a line: 0.1 2.3 means corner 1 of polygon 0 and corner 3 of \
-        \polygon 2. Of collinear corners that see each other, only neighbours make a pair."
+        "Print the elementary visible pairs of corners, one a line: 0.1 2.3 means corner 1 of polygon 0 and corner 3 \
+        \of polygon 2. Of collinear corners that see each other, only neighbours make a pair."
         <> examples
           [ ("all pairs, sorted", "viscomplex graph scenes/grid.json")
           , ("the lines that bound shadows", "viscomplex graph scenes/grid.json --bitangents")
-          , ("a large scene, in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
+          , ("in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
           ]
           ""
     factorsHelp =
       progDesc
-        "Print the form factors of all sides, correctly rounded. Factors that are exactly zero are left out; the sky is a \
-        \column like the sides."
+        "Print the form factors of all sides, correctly rounded. Factors that are exactly zero are left out; the sky \
+        \is a column like the sides."
         <> examples
           [ ("a table for other programs", "viscomplex factors scenes/room.json > room.csv")
           , ("for reading", "viscomplex factors scenes/two-squares.json --format text --digits 6")
@@ -210,14 +211,22 @@ graphOptions =
       AllPairs
       FreeBitangents
       (long "bitangents" <> help "Only pairs whose line is tangent at both corners; sides of polygons left out.")
-    <*> flag ByName AsSwept (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
+    <*> flag
+      ByName
+      AsSwept
+      (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
 
 factorOptions :: Parser FactorOptions
 factorOptions =
   FactorOptions
     <$> option
       (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])
-      (long "format" <> metavar "csv|json|text" <> value FactorsCsv <> showDefaultWith (const "csv") <> help "Output format.")
+      ( long "format"
+          <> metavar "csv|json|text"
+          <> value FactorsCsv
+          <> showDefaultWith (const "csv")
+          <> help "Output format."
+      )
     <*> option
       significant
       ( long "digits"
@@ -238,11 +247,14 @@ figureArgument :: Parser Figure
 figureArgument =
   argument
     (oneOf [("scene", SceneFigure), ("dual", DualFigure)])
-    (metavar "FIGURE" <> help "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves.")
+    ( metavar "FIGURE"
+        <> help "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves."
+    )
 
 figureOption :: Parser (Maybe FilePath)
 figureOption =
-  optional (strOption (short 'o' <> long "output" <> metavar "FILE.svg" <> help "Where to write; standard output if not given."))
+  optional . strOption $
+    short 'o' <> long "output" <> metavar "FILE.svg" <> help "Where to write; standard output if not given."
 
 generateOptions :: Parser GenerateOptions
 generateOptions =
@@ -253,7 +265,9 @@ generateOptions =
     <*> option
       (auto >>= maybe (eitherReader (const (Left "give a size of 1 or more"))) pure . size)
       (long "size" <> metavar "N" <> help "How many polygons (of a comb: teeth).")
-    <*> option (Seed <$> auto) (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "Any whole number.")
+    <*> option
+      (Seed <$> auto)
+      (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "Any whole number.")
 
 familyLabel :: Family -> String
 familyLabel = Text.unpack . familyName

@@ -10,8 +10,8 @@ import GHC.Clock (getMonotonicTimeNSec)
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
--- | Runs an action on a list that shows, while it is consumed, how much of it has been; then clears the line. Nothing is shown
--- in the first second, nor where standard error is no terminal.
+-- | Runs an action on a list that shows, while it is consumed, how much of it has been; then clears the line. Nothing
+-- is shown in the first second, nor where standard error is no terminal.
 --
 -- The list is read lazily, as standard input would be, so that memory stays what the action needs.
 withProgress :: String -> [a] -> ([a] -> IO b) -> IO b

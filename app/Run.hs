@@ -18,6 +18,7 @@ import Control.Monad (when)
 import Data.ByteString.Builder (Builder, hPutBuilder, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.Maybe (isJust)
 import Options (Common (..))
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hPutStrLn, hSetBinaryMode, stderr, stdout)
@@ -29,9 +30,9 @@ import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Raw (RawScene)
 import Visibility.Scene.Validate (validate)
 
--- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the scene are
--- reported; then the program ends with their exit code. A law that breaks in the work ends it with exit code 70, after a
--- dump of the scene.
+-- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the scene
+-- are reported; then the program ends with their exit code. A law that breaks in the work ends it with exit code 70,
+-- after a dump of the scene.
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
   reading <- readRawSceneFile (sceneFile common)
@@ -47,9 +48,9 @@ withScene common work = do
 -- | Everything but a wish to end, trouble with files, or what comes from outside is an error of this program.
 broken :: SomeException -> Maybe SomeException
 broken exception
-  | Just code <- fromException exception = Nothing `const` (code :: ExitCode)
-  | Just trouble <- fromException exception = Nothing `const` (trouble :: IOException)
-  | Just outside <- fromException exception = Nothing `const` (outside :: SomeAsyncException)
+  | isJust (fromException exception :: Maybe ExitCode) = Nothing
+  | isJust (fromException exception :: Maybe IOException) = Nothing
+  | isJust (fromException exception :: Maybe SomeAsyncException) = Nothing
   | otherwise = Just exception
 
 dump :: Common -> RawScene -> SomeException -> IO a

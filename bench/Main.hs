@@ -1,11 +1,11 @@
 -- | The ladder: the topological sweep on scenes of 2^7 to 2^14 corners of every family.
 --
--- For each scene: time, allocation and chain steps per elementary visible pair, the best of several runs in this process;
--- and the time as a ratio to that at 2^8 corners. Arguments: names of families; none means all.
+-- For each scene: time, allocation and chain steps per elementary visible pair, the best of several runs in this
+-- process; and the time as a ratio to that at 2^8 corners. Arguments: names of families; none means all.
 module Main (main) where
 
 import Control.Exception (evaluate)
-import Control.Monad (forM_, replicateM, when, zipWithM)
+import Control.Monad (forM_, replicateM, unless, zipWithM)
 import Data.Foldable (traverse_)
 import Data.IORef (newIORef, readIORef)
 import Data.List (find, transpose)
@@ -29,7 +29,7 @@ main = do
   names <- getArgs
   let chosen = if null names then [minBound ..] else mapMaybe (familyNamed . Text.pack) names
   enabled <- getRTSStatsEnabled
-  when (not enabled) $ putStrLn "run with +RTS -T for allocations"
+  unless enabled $ putStrLn "run with +RTS -T for allocations"
   putStrLn (row ["family", "corners", "pairs", "pairs/corner", "us/pair", "growth", "bytes/pair", "steps/pair"])
   forM_ chosen $ \kind -> do
     let scenes = map (sceneOf kind) (ladder kind)
@@ -45,7 +45,8 @@ main = do
     let pairs = pairsSwept (finish scene)
     putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (seconds / fromIntegral pairs)])
 
--- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of it.
+-- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of
+-- it.
 ladder :: Family -> [Int]
 ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
   where
@@ -83,9 +84,9 @@ measured scene seconds = do
   after <- allocated_bytes <$> getRTSStats
   pure (Rung (cornerCount scene) pairs seconds (fromIntegral (after - before)) steps)
 
--- | The least processor time of some work on each scene. The scenes take turns, so that a machine that is slower for a while is so
--- for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that no run can
--- share the result of another.
+-- | The least processor time of some work on each scene. The scenes take turns, so that a machine that is slower for a
+-- while is so for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that
+-- no run can share the result of another.
 bestTimes :: [Scene] -> (Scene -> Int) -> IO [Double]
 bestTimes scenes work = do
   cells <- mapM newIORef scenes

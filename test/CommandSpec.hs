@@ -102,7 +102,8 @@ spec = do
       text <- output ["factors", "scenes/room.json", "--format", "text"] ""
       let entries = do
             document <- Aeson.decode (Lazy.pack json)
-            Aeson.parseMaybe (Aeson.withObject "document" (\o -> (,) <$> o Aeson..: "format" <*> o Aeson..: "factors")) document
+            Aeson.parseMaybe (Aeson.withObject "document" parts) document
+          parts o = (,) <$> o Aeson..: "format" <*> o Aeson..: "factors"
           entry = Aeson.withObject "factor" $ \o -> do
             from <- o Aeson..: "from"
             to <- o Aeson..: "to"
@@ -113,8 +114,14 @@ spec = do
       (entries >>= mapM (Aeson.parseMaybe entry) . snd) `shouldBe` Just csv
       filter (\(_, value) -> not (value `isInfixOf` text)) csv `shouldBe` []
     it "gives as many digits as asked, correctly rounded: √2 − 1 between unit squares a unit apart" $
-      for_ [(1, "0.4"), (2, "0.41"), (3, "0.414"), (20, "0.41421356237309504880"), (40, "0.4142135623730950488016887242096980785697")] $
-        \(n, value) -> do
+      for_
+        [ (1, "0.4")
+        , (2, "0.41")
+        , (3, "0.414")
+        , (20, "0.41421356237309504880")
+        , (40, "0.4142135623730950488016887242096980785697")
+        ]
+        $ \(n, value) -> do
           rows <- factorsOf <$> output ["factors", "scenes/two-squares.json", "--digits", show (n :: Int)] ""
           Map.elems (Map.filter (\v -> "0.4" `isPrefixOf` v) (Map.fromList rows)) `shouldSatisfy` elem value
     it "reads standard input" $ do
@@ -140,7 +147,7 @@ spec = do
         shown <- readFile ("docs" </> "figures" </> file)
         svg `shouldBe` shown
     it "says so where it cannot write" $
-      refuses 2 ["/nowhere/at/all.svg", "cannot be written"] ["draw", "scene", "scenes/room.json", "-o", "/nowhere/at/all.svg"] ""
+      refuses 2 [nowhere, "cannot be written"] ["draw", "scene", "scenes/room.json", "-o", nowhere] ""
 
   describe "generate" $
     it "prints scenes that can be read, the same for the same seed" $
@@ -161,8 +168,15 @@ spec = do
 
   describe "mistakes" $ do
     it "in usage end with exit code 1" $ do
-      for_ [[], ["grpah"], ["graph"], ["graph", "a", "b"], ["draw", "picture", "scenes/room.json"], ["generate", "circles", "--size", "3"]] $
-        \arguments -> refuses 1 ["Usage"] arguments ""
+      for_
+        [ []
+        , ["grpah"]
+        , ["graph"]
+        , ["graph", "a", "b"]
+        , ["draw", "picture", "scenes/room.json"]
+        , ["generate", "circles", "--size", "3"]
+        ]
+        $ \arguments -> refuses 1 ["Usage"] arguments ""
       refuses 1 ["digits"] ["factors", "scenes/room.json", "--digits", "0"] ""
       refuses 1 ["size"] ["generate", "random", "--size", "0"] ""
       refuses 1 ["filtered, exact, double"] ["graph", "scenes/room.json", "--arithmetic", "float"] ""
@@ -184,6 +198,7 @@ spec = do
           "{\"polygons\": [[[0,0],[1,1],[1,0],[0,1]], [[5,0],[6,0],[7,0]], [[10,0],[11,0],[10,0],[9,5]]]}"
         refuses 4 ["polygon 0", "polygon 1"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[2,0],[2,1]]]}"
   where
+    nowhere = "/nowhere/at/all.svg"
     isSuffix end text = end == drop (length text - length end) text
 
 -- | The values of info by their names.
@@ -200,7 +215,9 @@ residency scene =
     let statistics = folder </> "statistics"
     out <-
       output
-        ["graph", folder </> "scene.json", "--unsorted", "+RTS", "-A256k", "-F1.2", "-t" <> statistics, "--machine-readable", "-RTS"]
+        ( ["graph", folder </> "scene.json", "--unsorted"]
+            <> ["+RTS", "-A256k", "-F1.2", "-t" <> statistics, "--machine-readable", "-RTS"]
+        )
         ""
     written <- doesFileExist statistics
     written `shouldBe` True

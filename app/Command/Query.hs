@@ -44,7 +44,8 @@ runGraph common options = withScene common $ \scene ->
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
   sums <- sweeping scene (\swept -> pure $! measures scene (events scene swept))
-  printed (factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene (formFactors scene sums))
+  printed $
+    factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene (formFactors scene sums)
 
 -- | Works on the vertices while they are swept.
 sweeping :: Scene -> ([Vertex] -> IO a) -> IO a

@@ -28,14 +28,14 @@ data Counts = Counts
 
 -- | Counts all events of a half turn.
 --
--- Every edge begins at one vertex, and so does every face but one: under an open sky the lines that miss everything form a face
--- without a first vertex. A face begins at a vertex where, just after it, two corners of the line bound it from above and
--- from below.
+-- Every edge begins at one vertex, and so does every face but one: under an open sky the lines that miss everything
+-- form a face without a first vertex. A face begins at a vertex where, just after it, two corners of the line bound it
+-- from above and from below.
 --
 -- /Cost/ O(log k) per corner of a vertex with k corners.
 --
--- /Laws/ V − E − B + F = W + 1 under an open sky and W in a room, for V vertices, E edges, B buried intervals, F faces and
--- W thin walls. In general position the complex of polygons under an open sky has E = 2 V and F = V + 1.
+-- /Laws/ V − E − B + F = W + 1 under an open sky and W in a room, for V vertices, E edges, B buried intervals, F faces
+-- and W thin walls. In general position the complex of polygons under an open sky has E = 2 V and F = V + 1.
 count :: Scene -> [Event] -> Counts
 count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
   where
@@ -53,8 +53,8 @@ count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
         , faceCount = faceCount counts + facesBegun scene (zip (vertexCorners vertex) after)
         }
 
--- | The faces that begin at a vertex, from the views just after it. There the corners lie from above downwards in their order along
--- the line, so going down it is a face that one corner opens and a later one closes.
+-- | The faces that begin at a vertex, from the views just after it. There the corners lie from above downwards in their
+-- order along the line, so going down it is a face that one corner opens and a later one closes.
 facesBegun :: Scene -> [(CornerId, View)] -> Int
 facesBegun scene line =
   sum (map closedAfterOpened (Map.elems (Map.fromListWith (flip (<>)) incidencesByLabel)))

@@ -33,19 +33,19 @@ import Visibility.View
 
 -- Note [Measures along the stream]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- An edge of corner c between the directions a and b adds ±(t_c(b) − t_c(a)) to each face at its curve, + where the face
--- lies below the curve. Sorted by vertices instead of edges: at a vertex of direction d each corner c on the line adds
--- ±t_c(d) for its faces before the vertex and takes it away for its faces after it.
--- A face that meets the vertex has there, before and after together, as many upper as lower incidences, counted
--- with these signs. So t may be measured from any point of the line, and the first corner is taken: then every t is an
--- integer multiple of the length of the primitive lattice vector along the line, and the sums need integers only.
--- The half turn begins and ends with the same lines, read the other way: t changes its sign, above and below change
--- places, and both contributions cancel. So the cut at ±90° adds nothing.
+-- An edge of corner c between the directions a and b adds ±(t_c(b) − t_c(a)) to each face at its curve, + where the
+-- face lies below the curve. Sorted by vertices instead of edges: at a vertex of direction d each corner c on the line
+-- adds ±t_c(d) for its faces before the vertex and takes it away for its faces after it. A face that meets the vertex
+-- has there, before and after together, as many upper as lower incidences, counted with these signs. So t may be
+-- measured from any point of the line, and the first corner is taken: then every t is an integer multiple of the length
+-- of the primitive lattice vector along the line, and the sums need integers only. The half turn begins and ends with
+-- the same lines, read the other way: t changes its sign, above and below change places, and both contributions cancel.
+-- So the cut at ±90° adds nothing.
 
 -- Under an open sky the lines that miss everything have no finite measure; that pair is left out.
 
--- | The measure of the lines (du dθ) between each pair of objects that see each other, on the lattice: the total area of all
--- faces of one label, A(s, t) = A(t, s). Not of the sky with itself.
+-- | The measure of the lines (du dθ) between each pair of objects that see each other, on the lattice: the total area
+-- of all faces of one label, A(s, t) = A(t, s). Not of the sky with itself.
 newtype Measures = Measures (IntMap.IntMap (Map.Map Integer Integer))
 
 -- | Adds up the contributions of a stream of events, which must be that of the whole half turn.
@@ -67,16 +67,19 @@ measures scene = Measures . foldl' add IntMap.empty
     skyToSky = pairKey scene Sky Sky
     put !sums (c, position, (before, after))
       | position == 0 || before == after = sums
-      | otherwise = foldl' (weigh (negate position)) (foldl' (weigh position) sums (incidences scene c before)) (incidences scene c after)
+      | otherwise = weighed (negate position) after (weighed position before sums)
+      where
+        weighed k view total = foldl' (weigh k) total (incidences scene c view)
     weigh position sums (Incidence flank back front) =
       Map.insertWith (+) (pairKey scene back front) (case flank of Above -> negate position; Below -> position) sums
     addTerm radicand sums (key, k)
       | k == 0 || key == skyToSky = sums
       | otherwise = IntMap.insertWith (\_ -> addRoot radicand k) key (Map.singleton radicand k) sums
-    addRoot radicand k = Map.alter (\old -> let new = maybe k (+ k) old in if new == 0 then Nothing else Just new) radicand
+    addRoot radicand k = Map.alter (nonZero . maybe k (+ k)) radicand
+    nonZero k = if k == 0 then Nothing else Just k
 
--- | The square of the length of the primitive lattice vector along the line of a vertex, and each corner's distance from
--- the first one in such lengths.
+-- | The square of the length of the primitive lattice vector along the line of a vertex, and each corner's distance
+-- from the first one in such lengths.
 alongLine :: Scene -> Vertex -> (Integer, [Integer])
 alongLine scene vertex = (px * px + py * py, map position displacements)
   where
@@ -136,8 +139,8 @@ data FormFactor = FormFactor
   -- ^ F_st: the part of the light leaving s, uniform and diffuse, that reaches t.
   }
 
--- | All form factors that are not exactly zero, ordered by the names of the side they leave and of the object they reach,
--- the sky last.
+-- | All form factors that are not exactly zero, ordered by the names of the side they leave and of the object they
+-- reach, the sky last.
 --
 -- /Laws/ Σ_t F_st = 1 (closure); L_s F_st = L_t F_ts (reciprocity); both exact.
 formFactors :: Scene -> Measures -> [FormFactor]
@@ -147,7 +150,8 @@ formFactors scene sums =
   , (t, total) <- sortOn (orderOf . fst) (bySide V.! indexOf s)
   ]
   where
-    bySide = V.accumulate (flip (:)) (V.replicate (cornerCount scene) []) (V.fromList (concatMap both (measureList scene sums)))
+    bySide = V.accumulate (flip (:)) (V.replicate (cornerCount scene) []) (V.fromList entries)
+    entries = concatMap both (measureList scene sums)
     both ((a, b), total) = [(indexOf s, (b, total)) | Side s <- [a]] <> [(indexOf s, (a, total)) | Side s <- [b]]
     indexOf (SideId s) = s
     orderOf (Side t) = (0 :: Int, Just (sideName scene t))

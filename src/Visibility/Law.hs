@@ -7,8 +7,8 @@ module Visibility.Law
 
 import Control.Exception (Exception (..), throw)
 
--- | A law of a data structure or of the scene's complex that does not hold, and what was found, with all that is needed to
--- see it again. Never the fault of the input.
+-- | A law of a data structure or of the scene's complex that does not hold, and what was found, with all that is needed
+-- to see it again. Never the fault of the input.
 data Violation = Violation
   { violatedLaw :: !String
   , violationDetails :: !String

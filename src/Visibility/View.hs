@@ -2,10 +2,11 @@
 
 -- | What each corner sees just before and just after each of its vertices, in O(1) per elementary pair.
 --
--- The stream of vertices becomes a stream of events, and that becomes edges. At a direction between two of its vertices,
--- the line through a corner has a 'View': tangent, ending or buried (mathematics: lines, curves, the dual).
+-- The stream of vertices becomes a stream of events, and that becomes edges. At a direction between two of its
+-- vertices, the line through a corner has a 'View': tangent, ending or buried (mathematics: lines, curves, the dual).
 --
--- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this project.
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this
+-- project.
 module Visibility.View
   ( -- * Views
     View (..)
@@ -51,8 +52,8 @@ data View
     Tangent !Flank !Object !Object
   | -- | The maximal free segment has this end at the corner; what is seen at its other end. Two faces meet.
     Ending !End !Object
-  | -- | Neither ray is free: a reflex corner of the solid, whose free cone lies on this flank. The segment through it is a single
-    -- point, so it is no edge of the complex; yet it bounds one face, the segments that cut the corner off.
+  | -- | Neither ray is free: a reflex corner of the solid, whose free cone lies on this flank. The segment through it
+    -- is a single point, so it is no edge of the complex; yet it bounds one face, the segments that cut the corner off.
     Buried !Flank
   deriving (Eq, Ord, Show)
 
@@ -61,15 +62,16 @@ isBuried :: View -> Bool
 isBuried (Buried _) = True
 isBuried _ = False
 
--- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the front.
+-- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the
+-- front.
 data Incidence = Incidence !Flank !Object !Object
   deriving (Eq, Ord, Show)
 
 -- | The faces that meet at the curve of a corner under a view: 3 where it is tangent, 2 where it is ending, 1 where it
 -- is buried.
 --
--- /Degenerate cases/ none: at a direction between two vertices no side of the corner lies on the line, and a flat corner is
--- never tangent.
+-- /Degenerate cases/ none: at a direction between two vertices no side of the corner lies on the line, and a flat
+-- corner is never tangent.
 --
 -- /Law/ at a vertex, above and below incidences of one label alternate along the corners, before and after it.
 incidences :: Scene -> CornerId -> View -> [Incidence]
@@ -86,10 +88,11 @@ incidences scene c view = case view of
     leaving = Side (SideId start)
     arriving = Side (SideId before)
 
--- | Does the line through two corners leave the polygon at the first of them on one side, so that both rays are free there?
+-- | Does the line through two corners leave the polygon at the first of them on one side, so that both rays are free
+-- there?
 --
--- /Degenerate cases/ running along a side is free: a flat corner is tangent along its sides, a reflex corner never, an end of
--- a thin wall always.
+-- /Degenerate cases/ running along a side is free: a flat corner is tangent along its sides, a reflex corner never, an
+-- end of a thin wall always.
 isTangent :: Scene -> CornerId -> CornerId -> Bool
 isTangent scene c towards
   | isWallCorner scene c = True
@@ -116,7 +119,8 @@ freeBitangents scene vertex =
   , isTangent scene q p
   ]
 
--- | A vertex with the views of its corners, in their order along the line, at the directions just before and just after it.
+-- | A vertex with the views of its corners, in their order along the line, at the directions just before and just after
+-- it.
 data Event = Event
   { eventVertex :: !Vertex
   , viewsBefore :: ![View]
@@ -176,8 +180,8 @@ pass scene sights vertex = do
     following p = let CornerId q = nextCorner scene (CornerId p) in q
     preceding p = let CornerId q = previousCorner scene (CornerId p) in q
 
-    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an obstacle,
-    -- a side of q that stands in the way, or what q sees itself.
+    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
+    -- obstacle, a side of q that stands in the way, or what q sees itself.
     landing p q objects
       | following p == q, preceding p /= q = M.write objects p solid
       | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn = M.write objects p (preceding q)

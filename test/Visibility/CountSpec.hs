@@ -29,9 +29,9 @@ spec = describe "count" $ do
          in (vertexCount c, degenerateCount c, pairCount c)
               === (length brute, length (filter isDegenerate brute), sum (map (length . vertexPairs) brute))
   it "finds, for two squares, what can be counted by hand" $
-    -- Pairs: eight sides and four across the gap. The two horizontal lines are one vertex each, for three pairs; beside them
-    -- there are four vertical sides and two diagonals. The inner corners have three vertices each, the outer ones two, and
-    -- an edge from each to the next.
+    -- Pairs: eight sides and four across the gap. The two horizontal lines are one vertex each, for three pairs; beside
+    -- them there are four vertical sides and two diagonals. The inner corners have three vertices each, the outer ones
+    -- two, and an edge from each to the next.
     fmap (counted . sampleScene) (sampleOf [square 0, square 2]) `shouldBeJust` Counts 8 2 12 4 20 0 13
   it "has two edges a vertex and a face more than vertices, in general position" $
     property $ \(ConvexScene s) ->

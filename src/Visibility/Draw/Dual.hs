@@ -142,7 +142,8 @@ dualDrawing scene stream =
       , (x, y) /= (0, 0)
       ]
 
--- | Tangent and ending parts of a curve are edges of the complex; where the corner is buried, its curve still bounds a face.
+-- | Tangent and ending parts of a curve are edges of the complex; where the corner is buried, its curve still bounds a
+-- face.
 curveStyle :: View -> Style
 curveStyle view = case view of
   Tangent {} -> TangentCurve

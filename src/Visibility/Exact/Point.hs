@@ -89,11 +89,11 @@ data Arithmetic
 
 -- | What the predicates compute with.
 data Kernel
-  = -- | x and y of corner i at 2i and 2i+1. All lie in [0, 2^31), so that a difference is below 2^31 in size, a product of
-    -- two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
+  = -- | x and y of corner i at 2i and 2i+1. All lie in [0, 2^31), so that a difference is below 2^31 in size, a product
+    -- of two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
     MachineKernel !(U.Vector Int)
-  | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the one k
-    -- that brings all coordinates below 1; the Doubles are at most 1.
+  | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the
+    -- one k that brings all coordinates below 1; the Doubles are at most 1.
     FilterKernel !(U.Vector Double)
   | IntegerKernel
   | -- | x and y of corner i at 2i and 2i+1, rounded.
@@ -160,8 +160,8 @@ scaledDouble :: Int -> Integer -> Double
 scaledDouble k x = fromRational (x % (1 `shiftL` k))
 
 -- | A bound on |x·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers the
--- relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070 whatever is
--- lost below the normal range.
+-- relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070 whatever
+-- is lost below the normal range.
 errorBound :: Int -> Integer -> Double -> Double
 errorBound k x d
   | toRational d == x % (1 `shiftL` k) = 0

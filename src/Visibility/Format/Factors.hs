@@ -26,7 +26,8 @@ data FactorFormat = FactorsCsv | FactorsJson | FactorsText
 data Detail = DecimalsOnly | WithExactMeasures
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | The document. Decimals are correctly rounded to so many significant digits; factors that are exactly zero are not there.
+-- | The document. Decimals are correctly rounded to so many significant digits; factors that are exactly zero are not
+-- there.
 --
 -- /Shape/ CSV: header @from,to,value@, with exact measures also @measure@, Σ coefficient·√radicand = 2·L·F as
 -- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.
@@ -88,10 +89,11 @@ plain detail wanted scene factors = foldMap block (sortOn (sideName scene) (side
   where
     bySide = Map.fromListWith (flip (<>)) [(factorFrom factor, [factor]) | factor <- factors]
     block s =
-      string7 ("side " <> sideText (sideName scene s) <> ", length " <> decimal wanted (sideLength scene s) <> ", sees\n")
+      string7 ("side " <> sideText (sideName scene s) <> ", length " <> decimal wanted (sideLength scene s))
+        <> string7 ", sees\n"
         <> foldMap row (Map.findWithDefault [] s bySide)
     row factor =
-      string7 "  " <> string7 (padded (toText scene factor)) <> string7 (valueText wanted factor) <> exact factor <> char7 '\n'
+      string7 ("  " <> padded (toText scene factor) <> valueText wanted factor) <> exact factor <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
     exact factor = case detail of
       DecimalsOnly -> mempty

@@ -76,8 +76,8 @@ data Scene = Scene
   -- ^ In the file's order, the enclosure last.
   }
 
--- | A polygon of a scene, its corners so that the solid lies on the left of each side (an obstacle counter-clockwise, the
--- enclosure clockwise), beginning with the file's corner 0. Two corners: a thin wall.
+-- | A polygon of a scene, its corners so that the solid lies on the left of each side (an obstacle counter-clockwise,
+-- the enclosure clockwise), beginning with the file's corner 0. Two corners: a thin wall.
 data Polygon = Polygon
   { polygonId :: !PolygonId
   , polygonName :: !(Maybe Text)
@@ -85,7 +85,8 @@ data Polygon = Polygon
   }
   deriving (Eq, Show)
 
--- | A polygon that has passed every check: its corners in the file's order, and the material of each of the file's sides.
+-- | A polygon that has passed every check: its corners in the file's order, and the material of each of the file's
+-- sides.
 data ValidPolygon = ValidPolygon
   { validId :: !PolygonId
   , validName :: !(Maybe Text)
@@ -95,8 +96,8 @@ data ValidPolygon = ValidPolygon
 
 -- | Puts checked polygons into tables.
 --
--- /Requires/ what "Visibility.Scene.Validate" checks: at least one polygon, each with two or more distinct corners, simple,
--- without spikes, all disjoint. /Cost/ O(n log n).
+-- /Requires/ what "Visibility.Scene.Validate" checks: at least one polygon, each with two or more distinct corners,
+-- simple, without spikes, all disjoint. /Cost/ O(n log n).
 assemble :: Maybe Text -> [ValidPolygon] -> Scene
 assemble title polygons =
   Scene

@@ -30,7 +30,8 @@ bruteForce scene =
       r : _ -> r : continuation q r
       [] -> []
 
--- | Is the open segment from p to q, p to the left of q, in free space, without a corner on it, and across no thin wall?
+-- | Is the open segment from p to q, p to the left of q, in free space, without a corner on it, and across no thin
+-- wall?
 --
 -- /Cost/ O(n).
 isElementary :: Scene -> CornerId -> CornerId -> Bool
@@ -65,7 +66,8 @@ insideWedge scene c towards = case directionTurn to from of
     from = heading (previousCorner scene c)
     ray = heading towards
     left a b = directionTurn a b == LeftTurn
-    -- For a reflex corner the free cone runs counter-clockwise from the preceding side to the following one, less than 180°.
+    -- For a reflex corner the free cone runs counter-clockwise from the preceding side to the following one, less than
+    -- 180°.
     atMost a b = directionTurn a b /= RightTurn
 
 -- | Is the turn from a over b to c of this kind? In integers, whatever arithmetic the scene is under.

@@ -5,9 +5,9 @@
 -- There is one implementation. Seen 'Rightward' it is the tree of the pairs that leave a corner to the right; seen
 -- 'Leftward' the scene is turned by 180° and it is the tree of those that leave to the left.
 --
--- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes (upper and lower horizon trees, convex
--- chains with double pointers); Overmars and Welzl (rotation trees). The scan from both ends, the sky as a target and the
--- treatment of collinear corners are this project's.
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes (upper and lower horizon trees,
+-- convex chains with double pointers); Overmars and Welzl (rotation trees). The scan from both ends, the sky as a
+-- target and the treatment of collinear corners are this project's.
 module Visibility.Sweep.HorizonTree
   ( -- * The tree
     plant
@@ -34,19 +34,19 @@ import Visibility.Sweep.Vertical
 
 -- Note [Lists]
 -- ~~~~~~~~~~~~
--- The target of a corner is a list: of the corner at the far end of its next pair; or of a ceiling, when all its forward pairs are
--- swept and its rays meet that side, or the sky, until they are vertical; or none, where the remaining rays are solid.
--- Where a tree edge is a side, the permanent marker of the side is its node. The two faces of a thin wall share one.
--- A list holds its nodes by ascending slope, that is from the uppermost source to the lowest. Under a ceiling all edges
--- are vertical and the order is that of the sources along the heading.
+-- The target of a corner is a list: of the corner at the far end of its next pair; or of a ceiling, when all its
+-- forward pairs are swept and its rays meet that side, or the sky, until they are vertical; or none, where the
+-- remaining rays are solid. Where a tree edge is a side, the permanent marker of the side is its node. The two faces of
+-- a thin wall share one. A list holds its nodes by ascending slope, that is from the uppermost source to the lowest.
+-- Under a ceiling all edges are vertical and the order is that of the sources along the heading.
 --
 -- Note [Convex chains]
 -- ~~~~~~~~~~~~~~~~~~~~
--- A corner t is linked when the last tree edge into t and the tree edge out of t are consecutive edges of a convex chain:
--- the second turns left or goes straight on, and no forward side of t lies below it. A chain is a maximal path of linked
--- edges. Its leaf (the edge furthest from the target) points to its top and its top to its leaf, so that a tangent to
--- it can be searched from both ends. Equality matters: were collinear corners not linked, aligned scenes would be scanned
--- corner by corner, in quadratic time.
+-- A corner t is linked when the last tree edge into t and the tree edge out of t are consecutive edges of a convex
+-- chain: the second turns left or goes straight on, and no forward side of t lies below it. A chain is a maximal path
+-- of linked edges. Its leaf (the edge furthest from the target) points to its top and its top to its leaf, so that a
+-- tangent to it can be searched from both ends. Equality matters: were collinear corners not linked, aligned scenes
+-- would be scanned corner by corner, in quadratic time.
 
 -- | What a tree edge leads to.
 data Target
@@ -120,8 +120,8 @@ plant scene heading vertical = runST $ do
       | following f p == preceding f p = [following f p]
       | otherwise = [following f p, preceding f p]
 
--- | Sweeps one vertex: so many corners, the k-th of them in the order of the heading as given, each edge of the line being the
--- tree edge of its source.
+-- | Sweeps one vertex: so many corners, the k-th of them in the order of the heading as given, each edge of the line
+-- being the tree edge of its source.
 --
 -- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per corner besides the chain steps, which are counted.
 sweepLine :: Frame -> Growing s -> Int -> (Int -> ST s Int) -> ST s ()
@@ -169,8 +169,8 @@ advance f tree !p = do
           e <- getNode tree (lower stop)
           if isCornerList l then settle f tree p l e else underCeiling f tree p l e
 
--- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain; where it is also linked to the edge out
--- of q, that chain is cut first.
+-- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain; where it is also linked to the edge
+-- out of q, that chain is cut first.
 release :: Frame -> Growing s -> Int -> Int -> Node -> ST s ()
 release f tree !p !q !swept = do
   isLinked <- get tree (link q)
@@ -184,8 +184,8 @@ release f tree !p !q !swept = do
   stillLinked <- get tree (link q)
   when (stillLinked == 0) $ relink f tree q
 
--- | The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads forward
--- and lies above; else there is none.
+-- | The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads
+-- forward and lies above; else there is none.
 besideSolid :: Frame -> Growing s -> Int -> Int -> ST s ()
 besideSolid f tree p q =
   when (comesBefore f p r && turnIn f p q r == LeftTurn) $ attach f tree p (cornerList r) noNode noNode noNode
@@ -201,9 +201,9 @@ underCeiling f tree !p !l !e
   where
     !a = listOwner l
 
--- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the corner at which
--- the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is searched from both of
--- its ends by turns, so the cost is at most twice the distance to the nearer one.
+-- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the
+-- corner at which the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is
+-- searched from both of its ends by turns, so the cost is at most twice the distance to the nearer one.
 settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 settle f tree !p = alongChains f tree p noNode noNode
 
@@ -223,8 +223,8 @@ alongChains f tree !p !deepest !highest !l !e = do
         then attach f tree p (cornerList t) e' deepest' e
         else alongChains f tree p deepest' e (cornerList t) e'
 
--- | Where the tangent from p touches a chain. The far end goes down from e, the near end up from the leaf; hiding is monotone along
--- the chain.
+-- | Where the tangent from p touches a chain. The far end goes down from e, the near end up from the leaf; hiding is
+-- monotone along the chain.
 tangentPoint :: Frame -> Growing s -> Int -> Node -> Node -> ST s Int
 tangentPoint f tree !p !near !e = do
   countStep f tree
@@ -269,8 +269,8 @@ countStep :: Frame -> Growing s -> ST s ()
 countStep f tree = get tree (counter (frameSize f)) >>= put tree (counter (frameSize f)) . (+ 1)
 {-# INLINE countStep #-}
 
--- | Makes l the target of p, just after node e in it. The last two nodes are the leaf and the top of the chain that the tangent from p
--- touched, 'noNode' where there was none.
+-- | Makes l the target of p, just after node e in it. The last two nodes are the leaf and the top of the chain that the
+-- tangent from p touched, 'noNode' where there was none.
 attach :: Frame -> Growing s -> Int -> List -> Node -> Node -> Node -> ST s ()
 attach f tree !p !l !e !deepest !highest = do
   putList tree (target p) l

@@ -28,14 +28,16 @@ violations scene state =
     , ensure
         "pending corners are flagged"
         (show (pending state))
-        (isPending state == U.replicate (cornerCount scene) 0 U.// [(fromIntegral p, 1) | p <- U.toList (pending state)])
+        (isPending state == flagged (U.toList (pending state)))
     ]
   where
     trees = [(Rightward, rightTree state), (Leftward, leftTree state)]
+    flagged ps = U.replicate (cornerCount scene) 0 U.// [(fromIntegral p, 1) | p <- ps]
 
 -- | The laws of one tree.
 treeViolations :: Scene -> (Heading, Table) -> [Violation]
-treeViolations scene (heading, tree) = concat [concatMap corner [0 .. n - 1], concatMap list lists, concatMap chain [0 .. n - 1]]
+treeViolations scene (heading, tree) =
+  concatMap corner [0 .. n - 1] <> concatMap list lists <> concatMap chain [0 .. n - 1]
   where
     f = frame scene heading
     n = cornerCount scene
@@ -50,7 +52,8 @@ treeViolations scene (heading, tree) = concat [concatMap corner [0 .. n - 1], co
       concat
         [ law "a corner has a node iff it has a target" (show (own, into)) ((own == noNode) == (into == noList))
         , law "a node comes from its corner" (show own) (own == noNode || nodeSource f own == p)
-        , law "a tree edge stands in the list of its target" (show (own, into)) (into == noList || own `elem` members into)
+        , law "a tree edge stands in the list of its target" (show (own, into)) $
+            into == noList || own `elem` members into
         , case targetOf scene tree (CornerId p) of
             ToCorner (CornerId q) ->
               law "a tree edge is an elementary pair that leads forward" (show q) $
@@ -60,10 +63,11 @@ treeViolations scene (heading, tree) = concat [concatMap corner [0 .. n - 1], co
             NoTarget -> []
         , law "a side has its marker in the list of its later corner" "" $
             and [markerOf f p q `elem` members (cornerList q) | q <- forwardSides p]
-        , law "corners are linked where their edges continue each other" "" ((at tree (link p) == 1) == linkable f tree p)
+        , law "corners are linked where their edges continue each other" "" $
+            (at tree (link p) == 1) == linkable f tree p
         ]
       where
-        law name details = ensure (place name (show p)) details
+        law name = ensure (place name (show p))
         own = nodeAt tree (edge p)
         into = listAt tree (target p)
 
@@ -135,8 +139,8 @@ planarity scene state =
     side = turn (scenePoints scene)
     apart a b c d = side a b c /= Collinear && side a b d == opposite (side a b c)
 
--- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser or the same slope, one of the
--- two is pending: so the sweep cannot stop too early.
+-- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser or the same slope, one of
+-- the two is pending: so the sweep cannot stop too early.
 readiness :: Scene -> Sweep -> [Violation]
 readiness scene state =
   [ Violation "a pair that may be swept has a pending corner" (show (p, q))

@@ -1,14 +1,14 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The topological sweep: every vertex of the visibility complex, once, in an order in which each corner's vertices come by
--- increasing direction.
+-- | The topological sweep: every vertex of the visibility complex, once, in an order in which each corner's vertices
+-- come by increasing direction.
 --
--- A pure step from state to state. A state is an immutable value of O(n) numbers; many steps are taken at a time on a copy
--- of it, so the copying costs O(1) per vertex and 'vertices' runs in O(m + n log n) time and O(n) live memory while
--- the list is consumed.
+-- A pure step from state to state. A state is an immutable value of O(n) numbers; many steps are taken at a time on a
+-- copy of it, so the copying costs O(1) per vertex and 'vertices' runs in O(m + n log n) time and O(n) live memory
+-- while the list is consumed.
 --
--- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; Rafalin, Souvaine, Streinu for taking
--- all collinear corners in one step.
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; Rafalin, Souvaine, Streinu for
+-- taking all collinear corners in one step.
 module Visibility.Sweep.Topological
   ( -- * The whole sweep
     vertices
@@ -125,8 +125,9 @@ steps scene count state = (decoded found, state')
       written' <- U.unsafeFreeze written
       pure (U.take size written', Sweep right' left' (U.force (U.take depth stack')) waiting' swept)
 
--- | The state while it changes: both trees; which corners are pending; the pending corners; and the vertices found, their corners
--- one after the other, the last of each as its complement, so that nothing of it is traced by the garbage collector.
+-- | The state while it changes: both trees; which corners are pending; the pending corners; and the vertices found,
+-- their corners one after the other, the last of each as its complement, so that nothing of it is traced by the garbage
+-- collector.
 data Running s
   = Running !(Growing s) !(Growing s) !(M.MVector s Int32) !(M.MVector s Int32) !(M.MVector s Int32)
 
@@ -148,8 +149,8 @@ decoded written = from 0
         c = at' i
     at' i = fromIntegral (written U.! i) :: Int
 
--- | Takes corners off the stack until so many vertices have been swept, or there is no room to write another. Gives the size
--- of what has been written, the depth of the stack and the number of pairs swept.
+-- | Takes corners off the stack until so many vertices have been swept, or there is no room to write another. Gives the
+-- size of what has been written, the depth of the stack and the number of pairs swept.
 run :: Scene -> Running s -> Int -> Int -> Int -> ST s (Int, Int, Int)
 run scene (Running right left waiting stack written) = go 0
   where
@@ -218,8 +219,8 @@ isCorner :: List -> Bool
 isCorner l = l /= noList && isCornerList l
 {-# INLINE isCorner #-}
 
--- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of its
--- corners, and no other unswept pair at its ends has a lesser slope.
+-- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of
+-- its corners, and no other unswept pair at its ends has a lesser slope.
 readyLine :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
 readyLine points right left !p !q = do
   there <- getList right (target p)

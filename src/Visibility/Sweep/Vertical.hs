@@ -68,19 +68,20 @@ data Vertical = Vertical
   , ceilings :: !(U.Vector Int)
   -- ^ By corner: the object met by its upward ray, or 'solid'.
   , firstTargets :: !(U.Vector Int)
-  -- ^ By corner: the corner at the far end of its elementary pair of least slope that leaves forward, −1 where its forward
-  -- rays are solid, n where there is no such corner and it sees the sky.
+  -- ^ By corner: the corner at the far end of its elementary pair of least slope that leaves forward, −1 where its
+  -- forward rays are solid, n where there is no such corner and it sees the sky.
   }
   deriving (Eq, Show)
 
 -- | A status side, from its end that comes first by the heading to the other.
 data Crossing = Crossing !Int !Int
 
--- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for each
--- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
+-- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for
+-- each floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
 --
--- The set is a balanced tree in which a place is found by asking of sides whether they lie below a corner, and which is cut and
--- joined there. Its elements are never compared with each other: an order of theirs would hold at one vertical only.
+-- The set is a balanced tree in which a place is found by asking of sides whether they lie below a corner, and which is
+-- cut and joined there. Its elements are never compared with each other: an order of theirs would hold at one vertical
+-- only.
 data Status = Status !(Set Crossing) !(IntMap.IntMap [Int])
 
 -- | What the plane sweep finds at a corner: floor, ceiling and first target.
@@ -88,8 +89,8 @@ data Row = Row !Int !Int !Int
 
 -- | Visits the corners against the heading and keeps the sides that cross the vertical.
 --
--- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear with
--- p on a chain stay, so that the first target is the nearest.
+-- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
+-- with p on a chain stay, so that the first target is the nearest.
 --
 -- /Cost/ O(n log n) for the status, O(n) for the chains.
 --
@@ -134,7 +135,7 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
         (ending, above) = Set.spanAntitone (\(Crossing a _) -> a == p) from
         crossing' = case arriving of
           [] -> Set.merge below above
-          side : others -> Set.link side below (foldr (\other -> Set.link other Set.empty) above others)
+          side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
         floorSide = maybe beyond freeAbove (Set.lookupMax below)
         ceilingSide = maybe beyond freeBelow (Set.lookupMin above)
         chain = tangentChain p (IntMap.findWithDefault [] floorSide chains)

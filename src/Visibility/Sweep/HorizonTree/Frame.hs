@@ -20,8 +20,8 @@ import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertical
 
--- | A scene as a heading sees it. A sum, not a product with a heading in it: so it is passed to the steps as one pointer instead of
--- field by field, and the numbers beside it fit into registers.
+-- | A scene as a heading sees it. A sum, not a product with a heading in it: so it is passed to the steps as one
+-- pointer instead of field by field, and the numbers beside it fit into registers.
 data Frame = RightwardFrame !Tables | LeftwardFrame !Tables
 
 -- | What the steps need at hand.

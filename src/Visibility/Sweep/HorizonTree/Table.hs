@@ -2,8 +2,8 @@
 
 -- | The table that a horizon tree is kept in: one array, a record of sixteen numbers for each corner.
 --
--- All that a step touches of a corner lies together, in 64 bytes. Measured against an array for each field, this halves the
--- time per elementary pair on scenes of 2^14 corners.
+-- All that a step touches of a corner lies together, in 64 bytes. Measured against an array for each field, this halves
+-- the time per elementary pair on scenes of 2^14 corners.
 module Visibility.Sweep.HorizonTree.Table
   ( -- * Tables
     Table
@@ -149,7 +149,7 @@ record p = p `shiftL` 4
 {-# INLINE record #-}
 
 target, edge, link, counter :: Int -> Field
-target p = record p
+target = record
 edge p = record p + 1
 link p = record p + 2
 -- | Of a scene with so many corners.
