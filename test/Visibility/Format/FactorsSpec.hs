@@ -42,7 +42,7 @@ spec = describe "factorsDocument" $ do
     fmap (take 1 . drop 2 . document FactorsCsv WithExactMeasures) pair
       `shouldBe` Just ["0.1,1.1,0.4142,-2 + 2*sqrt(2)"]
   it "writes JSON that names its format, with every side and its length" $
-    fmap (concatMap (take 93) . document FactorsJson DecimalsOnly) pair
+    fmap (concatMap (take 92) . document FactorsJson DecimalsOnly) pair
       `shouldBe` Just
         "{\"format\":\"viscomplex/1\",\"sides\":[{\"id\":\"0.0\",\"length\":\"1.000\"},{\"id\":\"0.1\",\"length\":\"1.000\""
   it "writes a block for each side as text" $
