@@ -181,7 +181,7 @@ test: ## all tests, at -O2 and once at -O0; the last line is "N passed, N failed
 bench: build ## run the benchmark
 	@$(CABAL)
 	build bench:ladder
-	VISCOMPLEX_EXE="$$PWD/$(EXE)" "$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:ladder)" $(BENCH_ARGS)
+	"$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:ladder)" $(BENCH_ARGS)
 
 .PHONY: figures
 figures: ## turn the SVG in out/ into PNG, 800 pixels wide

@@ -6,12 +6,13 @@ import Command.Generate (runGenerate)
 import Command.Query (runFactors, runGraph, runInfo)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options
+import Run (guarded)
 
 main :: IO ()
 main = do
   setLocaleEncoding utf8
   command <- readCommand
-  case command of
+  guarded $ case command of
     Info common -> runInfo common
     Graph common options -> runGraph common options
     Factors common options -> runFactors common options

@@ -14,6 +14,7 @@ module Options
   ) where
 
 import Control.Applicative (optional, (<**>))
+import Data.Char (isDigit)
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Options.Applicative
@@ -22,7 +23,6 @@ import Options.Applicative
   , ParserInfo
   , ReadM
   , argument
-  , auto
   , command
   , customExecParser
   , eitherReader
@@ -48,6 +48,7 @@ import Options.Applicative
   , value
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
+import Text.Read (readMaybe)
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
 import Visibility.Format.Factors (Detail (..), FactorFormat (..))
@@ -122,7 +123,7 @@ whole =
           \'viscomplex COMMAND --help' explains a command."
     )
   where
-    version = infoOption "viscomplex 0.1.0" (long "version" <> help "Print the version.")
+    version = infoOption "viscomplex 0.1.0.0" (long "version" <> help "Print the version.")
 
 commands :: Parser Command
 commands =
@@ -240,8 +241,9 @@ factorOptions =
       WithExactMeasures
       (long "exact" <> help "Also print the measure 2 L F of each factor, as an exact sum of square roots.")
   where
-    significant = auto >>= maybe (fail' "give a whole number of digits, 1 or more") pure . digits
-    fail' message = eitherReader (const (Left message))
+    significant = eitherReader $ \word -> do
+      count <- fromInteger <$> wholeNumber "digits" 1 1000000 word
+      maybe (Left "give 1 digit or more") Right (digits count)
 
 figureArgument :: Parser Figure
 figureArgument =
@@ -263,11 +265,16 @@ generateOptions =
       (oneOf [(familyLabel f, f) | f <- [minBound ..]])
       (metavar "FAMILY" <> help (intercalate ", " (map familyLabel [minBound ..])))
     <*> option
-      (auto >>= maybe (eitherReader (const (Left "give a size of 1 or more"))) pure . size)
+      sizeReader
       (long "size" <> metavar "N" <> help "How many polygons (of a comb: teeth).")
     <*> option
-      (Seed <$> auto)
-      (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "Any whole number.")
+      (eitherReader (fmap (Seed . fromInteger) . wholeNumber "seed" 0 (2 ^ (64 :: Int) - 1)))
+      (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "A whole number.")
+
+sizeReader :: ReadM Size
+sizeReader = eitherReader $ \word -> do
+  count <- fromInteger <$> wholeNumber "size" 1 10000000 word
+  maybe (Left "give a size of 1 or more") Right (size count)
 
 familyLabel :: Family -> String
 familyLabel = Text.unpack . familyName
@@ -277,3 +284,9 @@ oneOf :: [(String, a)] -> ReadM a
 oneOf choices = eitherReader $ \word -> case lookup word choices of
   Just choice -> Right choice
   Nothing -> Left (word <> " is none of: " <> intercalate ", " (map fst choices))
+
+-- | A number in decimal digits, within bounds; the name is that of what is counted.
+wholeNumber :: String -> Integer -> Integer -> String -> Either String Integer
+wholeNumber name least greatest word = case readMaybe word of
+  Just n | not (null word), all isDigit word, least <= n, n <= greatest -> Right n
+  _ -> Left (name <> ": " <> show word <> " is not a whole number from " <> show least <> " to " <> show greatest)

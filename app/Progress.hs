@@ -3,6 +3,7 @@ module Progress
   ( withProgress
   ) where
 
+import Control.Exception (finally)
 import Control.Monad (when)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.Word (Word64)
@@ -22,10 +23,10 @@ withProgress what items act = do
     else do
       begun <- getMonotonicTimeNSec
       shown <- newIORef begun
-      result <- watched shown 0 items >>= act
-      final <- readIORef shown
-      when (final > begun) $ hPutStr stderr "\r\ESC[K" >> hFlush stderr
-      pure result
+      let cleared = do
+            final <- readIORef shown
+            when (final > begun) $ hPutStr stderr "\r\ESC[K" >> hFlush stderr
+      (watched shown 0 items >>= act) `finally` cleared
   where
     watched shown done rest = unsafeInterleaveIO $ case splitAt piece rest of
       ([], _) -> pure []

@@ -1,7 +1,10 @@
 -- | What all commands share: scenes in, results out, exit codes.
 module Run
-  ( withScene
+  ( guarded
+  , withScene
+  , sweeping
   , printed
+  , streamed
   , written
   ) where
 
@@ -15,35 +18,48 @@ import Control.Exception
   , handleJust
   )
 import Control.Monad (when)
-import Data.ByteString.Builder (Builder, hPutBuilder, toLazyByteString)
+import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Foldable (for_)
+import Data.Foldable (toList)
 import Data.Maybe (isJust)
 import Options (Common (..))
+import Progress (withProgress)
 import System.Exit (ExitCode (..), exitWith)
-import System.IO (hPutStrLn, hSetBinaryMode, stderr, stdout)
-import System.IO.Error (ioeGetErrorString, tryIOError)
+import System.IO (BufferMode (..), Handle, hFlush, hSetBinaryMode, hSetBuffering, stderr, stdout)
+import System.IO.Error (ioeGetErrorString, ioeGetErrorType, isResourceVanishedErrorType, tryIOError)
 import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Json (readRawSceneFile, sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
-import Visibility.Scene.Raw (RawScene)
 import Visibility.Scene.Validate (validate)
+import Visibility.Sweep (Vertex, vertices)
 
--- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the scene
--- are reported; then the program ends with their exit code. A law that breaks in the work ends it with exit code 70,
--- after a dump of the scene.
+-- | Ends the program with exit code 70 and the law's name where a law breaks.
+guarded :: IO () -> IO ()
+guarded = handleJust broken (\exception -> complain [displayException exception] >> ends LawBroken)
+
+-- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the scene are
+-- reported; then the program ends with their exit code. A law that breaks in the work ends it with exit code 70, after a
+-- dump of the scene.
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
   reading <- readRawSceneFile (sceneFile common)
   raw <- either failed pure reading
-  scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
-  handleJust broken (dump common raw) (work (underArithmetic (arithmeticChoice common) scene))
+  handleJust broken (dump raw) $ do
+    scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
+    work (underArithmetic (arithmeticChoice common) scene)
   where
     label = if sceneFile common == "-" then "standard input" else sceneFile common
-    failed problems = do
-      for_ problems (hPutStrLn stderr . ("viscomplex: " <>) . errorText)
-      ends (problemsOutcome problems)
+    failed problems = complain (map errorText (toList problems)) >> ends (problemsOutcome problems)
+    dump raw exception = do
+      complain $
+        displayException exception
+          : ["The arithmetic was double, which is unsafe: filtered and exact break no law." | unsafe]
+            <> ["The scene was:"]
+      hPutBuilder stderr (sceneDocument raw)
+      hFlush stderr
+      ends LawBroken
+    unsafe = arithmeticChoice common == UnsafeDouble
 
 -- | Everything but a wish to end, trouble with files, or what comes from outside is an error of this program.
 broken :: SomeException -> Maybe SomeException
@@ -53,14 +69,16 @@ broken exception
   | isJust (fromException exception :: Maybe SomeAsyncException) = Nothing
   | otherwise = Just exception
 
-dump :: Common -> RawScene -> SomeException -> IO a
-dump common raw exception = do
-  hPutStrLn stderr ("viscomplex: " <> displayException exception)
-  when (arithmeticChoice common == UnsafeDouble) $
-    hPutStrLn stderr "The arithmetic was double, which is unsafe: filtered and exact do not break laws."
-  hPutStrLn stderr "The scene was:"
-  hPutBuilder stderr (sceneDocument raw)
-  ends LawBroken
+-- | Works on the vertices of a scene while they are swept, showing progress.
+sweeping :: Scene -> ([Vertex] -> IO a) -> IO a
+sweeping scene = withProgress "vertices swept" (vertices scene)
+
+-- | Writes messages to standard error, a line or more each.
+complain :: [String] -> IO ()
+complain messages = do
+  hSetBuffering stderr (BlockBuffering Nothing)
+  hPutBuilder stderr (foldMap (\message -> stringUtf8 ("viscomplex: " <> message <> "\n")) messages)
+  hFlush stderr
 
 -- | Ends the program.
 ends :: Outcome -> IO a
@@ -71,8 +89,12 @@ printed :: Builder -> IO ()
 printed document = do
   let bytes = toLazyByteString document
   _ <- evaluate (Lazy.length bytes)
-  hSetBinaryMode stdout True
-  Lazy.putStr bytes
+  toStandardOutput (`Lazy.hPut` bytes)
+
+-- | Writes a result to standard output while it is computed, in constant memory. Should a law break on the way, part of
+-- it has been written.
+streamed :: Builder -> IO ()
+streamed document = toStandardOutput (`hPutBuilder` document)
 
 -- | Writes a result to a file, or to standard output for 'Nothing' and @-@, once all of it has been computed.
 written :: Maybe FilePath -> Builder -> IO ()
@@ -81,9 +103,23 @@ written (Just "-") document = printed document
 written (Just path) document = do
   let bytes = toLazyByteString document
   _ <- evaluate (Lazy.length bytes)
-  result <- tryIOError (Lazy.writeFile path bytes)
+  orComplain path (Lazy.writeFile path bytes)
+
+toStandardOutput :: (Handle -> IO ()) -> IO ()
+toStandardOutput write = do
+  hSetBinaryMode stdout True
+  hSetBuffering stdout (BlockBuffering (Just 65536))
+  orComplain "standard output" (write stdout >> hFlush stdout)
+
+-- | Ends the program with a message where writing fails; silently where nobody reads any longer.
+orComplain :: FilePath -> IO () -> IO ()
+orComplain place write = do
+  result <- tryIOError write
   case result of
     Right () -> pure ()
-    Left fault -> do
-      hPutStrLn stderr ("viscomplex: " <> path <> ": cannot be written: " <> ioeGetErrorString fault)
-      ends UnreadableInput
+    Left fault
+      | isResourceVanishedErrorType (ioeGetErrorType fault) -> ends Success
+      | otherwise -> do
+          when (place == "standard output") $ hSetBuffering stdout NoBuffering
+          complain [place <> ": cannot be written: " <> ioeGetErrorString fault]
+          ends UnreadableInput

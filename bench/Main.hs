@@ -9,12 +9,13 @@ import Control.Monad (forM_, replicateM, unless, zipWithM)
 import Data.Foldable (traverse_)
 import Data.IORef (newIORef, readIORef)
 import Data.List (find, transpose)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isNothing, mapMaybe)
 import qualified Data.Text as Text
 import GHC.Stats (getRTSStats, getRTSStatsEnabled, allocated_bytes)
 import Numeric (showFFloat)
 import System.CPUTime (getCPUTime)
 import System.Environment (getArgs)
+import System.Exit (die)
 import System.Mem (performGC)
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Law (broken)
@@ -27,9 +28,11 @@ import Visibility.View (events)
 main :: IO ()
 main = do
   names <- getArgs
-  let chosen = if null names then [minBound ..] else mapMaybe (familyNamed . Text.pack) names
+  let unknown = filter (isNothing . familyNamed . Text.pack) names
+      chosen = if null names then [minBound ..] else mapMaybe (familyNamed . Text.pack) names
+  unless (null unknown) $ die ("no family is named " <> unwords unknown)
   enabled <- getRTSStatsEnabled
-  unless enabled $ putStrLn "run with +RTS -T for allocations"
+  unless enabled $ die "allocations are counted: run with +RTS -T"
   putStrLn (row ["family", "corners", "pairs", "pairs/corner", "us/pair", "growth", "bytes/pair", "steps/pair"])
   forM_ chosen $ \kind -> do
     let scenes = map (sceneOf kind) (ladder kind)

@@ -24,9 +24,12 @@ import Visibility.Scene.Id (CornerName, readCornerName)
 -- | Runs the program with arguments and standard input: exit code, standard output, standard error.
 run :: [String] -> String -> IO (Int, String, String)
 run arguments input = do
-  exe <- fromMaybe "bin/viscomplex" <$> lookupEnv "VISCOMPLEX_EXE"
+  exe <- executable
   (code, out, err) <- readProcessWithExitCode exe arguments input
   pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
+
+executable :: IO FilePath
+executable = fromMaybe "bin/viscomplex" <$> lookupEnv "VISCOMPLEX_EXE"
 
 -- | The output of a call that must succeed, and say nothing else.
 output :: [String] -> String -> IO String
@@ -87,12 +90,12 @@ spec = do
         filtered <- call "filtered"
         exact <- call "exact"
         exact `shouldBe` filtered
-    it "streams in memory that does not grow with the number of pairs" $ do
-      few <- output ["generate", "comb", "--size", "256"] ""
-      many <- output ["generate", "sparse", "--size", "512"] ""
+    it "streams 10 000 corners in memory that does not grow with the number of pairs" $ do
+      few <- output ["generate", "comb", "--size", "1250"] ""
+      many <- output ["generate", "grid", "--size", "2500"] ""
       (fewPairs, fewBytes) <- residency few
       (manyPairs, manyBytes) <- residency many
-      manyPairs `shouldSatisfy` (> 15 * fewPairs)
+      manyPairs `shouldSatisfy` (> 5 * fewPairs)
       manyBytes `shouldSatisfy` (\bytes -> 2 * bytes < 3 * fewBytes)
 
   describe "factors" $ do
@@ -159,6 +162,11 @@ spec = do
         info <- output ["info", "-"] scene
         lookup "vertices" (infoLines info) `shouldSatisfy` maybe False (all isDigit)
 
+  describe "version" $
+    it "is that of the package" $ do
+      version <- output ["--version"] ""
+      package <- readFile "package.yaml"
+      [drop 9 line | line <- lines package, "version: " `isPrefixOf` line] `shouldBe` [drop 11 (concat (lines version))]
   describe "help" $
     it "teaches by example, for every command" $
       for_ ([] : map pure ["info", "graph", "factors", "draw", "generate"]) $ \command -> do
@@ -177,11 +185,29 @@ spec = do
         , ["generate", "circles", "--size", "3"]
         ]
         $ \arguments -> refuses 1 ["Usage"] arguments ""
-      refuses 1 ["digits"] ["factors", "scenes/room.json", "--digits", "0"] ""
-      refuses 1 ["size"] ["generate", "random", "--size", "0"] ""
+      for_ ["0", "-3", "1.5", "0x2", "(3)", "", "18446744073709551617"] $ \number -> do
+        refuses 1 ["digits"] ["factors", "scenes/room.json", "--digits=" <> number] ""
+        refuses 1 ["size"] ["generate", "random", "--size=" <> number] ""
+      for_ ["-5", "18446744073709551616", "x"] $ \number ->
+        refuses 1 ["seed"] ["generate", "random", "--size", "3", "--seed=" <> number] ""
       refuses 1 ["filtered, exact, double"] ["graph", "scenes/room.json", "--arithmetic", "float"] ""
-    it "in file names end with exit code 2" $
+    it "in file names end with exit code 2" $ do
       refuses 2 ["scenes/no-such.json"] ["graph", "scenes/no-such.json"] ""
+      refuses 2 ["scenes"] ["graph", "scenes"] ""
+    it "of standard output are told: a full device ends with exit code 2, a closed pipe silently" $ do
+      exe <- executable
+      for_ ["info scenes/room.json", "graph scenes/city.json", "graph --unsorted scenes/city.json", "generate grid --size 9"] $
+        \arguments -> do
+          (code, out, err) <- readProcessWithExitCode "sh" ["-c", exe <> " " <> arguments <> " > /dev/full"] ""
+          (code, out) `shouldBe` (ExitFailure 2, "")
+          err `shouldSatisfy` isInfixOf "standard output: cannot be written"
+          (_, _, silent) <- readProcessWithExitCode "sh" ["-c", exe <> " " <> arguments <> " | head -n 1 > /dev/null"] ""
+          silent `shouldBe` ""
+    it "of the unsafe arithmetic end with exit code 70, the law and the scene" $ do
+      (code, out, err) <- run ["graph", "scenes/forty-digits.json", "--arithmetic", "double"] ""
+      (code, out) `shouldBe` (70, "")
+      for_ ["law is broken", "unsafe", "The scene was:", "forty digits"] $ \phrase ->
+        err `shouldSatisfy` isInfixOf phrase
     for_ ["info", "graph", "factors"] $ \command -> do
       it ("in syntax and shape end with exit code 3 in " <> command) $ do
         refuses 3 ["standard input"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]]"

@@ -5,19 +5,16 @@ module Command.Query
   , runFactors
   ) where
 
-import Data.ByteString.Builder (hPutBuilder, stringUtf8)
+import Data.ByteString.Builder (stringUtf8)
 import Options
 import Progress (withProgress)
-import Run (printed, withScene)
+import Run (printed, streamed, sweeping, withScene)
 import System.CPUTime (getCPUTime)
-import System.IO (BufferMode (..), hSetBinaryMode, hSetBuffering, stdout)
 import Visibility.Count (count)
 import Visibility.FormFactor (formFactors, measures)
 import Visibility.Format.Factors (factorsDocument)
 import Visibility.Format.Graph (graphLines, selectedPairs, sortedGraphLines)
 import Visibility.Format.Info (infoText)
-import Visibility.Scene (Scene)
-import Visibility.Sweep (Vertex, vertices)
 import Visibility.View (events)
 
 -- | Counts, and the time it took to find them.
@@ -35,18 +32,11 @@ runGraph common options = withScene common $ \scene ->
     let pairs = selectedPairs scene (pairSelection options) swept
     case lineOrder options of
       ByName -> printed (sortedGraphLines scene pairs)
-      AsSwept -> do
-        hSetBinaryMode stdout True
-        hSetBuffering stdout (BlockBuffering (Just 65536))
-        hPutBuilder stdout (graphLines scene pairs)
+      AsSwept -> streamed (graphLines scene pairs)
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
   sums <- sweeping scene (\swept -> pure $! measures scene (events scene swept))
-  printed $
-    factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene (formFactors scene sums)
-
--- | Works on the vertices while they are swept.
-sweeping :: Scene -> ([Vertex] -> IO a) -> IO a
-sweeping scene = withProgress "vertices swept" (vertices scene)
+  withProgress "form factors written" (formFactors scene sums) $
+    printed . factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene

@@ -35,7 +35,7 @@ data Counts = Counts
 -- /Cost/ O(log k) per corner of a vertex with k corners.
 --
 -- /Laws/ V − E − B + F = W + 1 under an open sky and W in a room, for V vertices, E edges, B buried intervals, F faces
--- and W thin walls. In general position the complex of polygons under an open sky has E = 2 V and F = V + 1.
+-- and W thin walls. In general position the complex of convex polygons under an open sky has E = 2 V and F = V + 1.
 count :: Scene -> [Event] -> Counts
 count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
   where

@@ -8,7 +8,6 @@ module Visibility.FormFactor
   ( -- * Measures of lines
     Measures
   , measures
-  , measureBetween
   , measureList
     -- * Form factors
   , FormFactor (..)
@@ -108,11 +107,6 @@ keyPair scene key = (object a, object b)
     n = cornerCount scene
     (a, b) = key `quotRem` (n + 1)
     object k = if k == n then Sky else Side (SideId k)
-
--- | The measure between two objects in the file's units, terms merged; zero where they do not see each other.
-measureBetween :: Scene -> Measures -> Object -> Object -> RootSum
-measureBetween scene (Measures sums) a b =
-  maybe RootSum.zero (toRootSum scene) (IntMap.lookup (pairKey scene a b) sums)
 
 -- | All pairs of objects with a measure that is not exactly zero, each pair once, in the file's units, terms merged.
 measureList :: Scene -> Measures -> [((Object, Object), RootSum)]

@@ -3,12 +3,13 @@
 -- +---------------+------------------+-----------------+------------------------------+
 -- | algorithm     | time             | live memory     | source                       |
 -- +===============+==================+=================+==============================+
--- | 'vertices'    | O(m + n log n)  | O(n)            | Rivière, horizon trees       |
+-- | 'vertices'    | O(m + n log n)   | O(n)            | Rivière, horizon trees       |
 -- +---------------+------------------+-----------------+------------------------------+
 -- | 'bruteForce'  | O(n³)            | O(m)            | the definition               |
 -- +---------------+------------------+-----------------+------------------------------+
 --
--- n corners, m elementary visible pairs.
+-- n corners, m elementary visible pairs. That the chain steps of 'vertices' are O(m) is proved by Rivière for a scan from one
+-- end; for the scan from both ends that is used here it is measured.
 module Visibility.Sweep
   ( -- * Vertices
     Vertex (..)

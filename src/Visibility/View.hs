@@ -143,7 +143,8 @@ instance Traversable Sights where
 -- | The events of a stream of vertices, one each, in its order.
 --
 -- /Requires/ the vertices of the scene in an order in which each corner's vertices come by increasing direction.
--- /Cost/ O(1) per elementary pair; O(n) memory, as the stream is taken in pieces of n vertices, each piece in place.
+-- /Cost/ O(1) per elementary pair; the stream is taken in pieces of n vertices, each in place, and memory is that of a
+-- piece: O(n) where vertices have a bounded number of corners.
 events :: Scene -> [Vertex] -> [Event]
 events scene = go start
   where
@@ -199,7 +200,11 @@ pass scene sights vertex = do
             (Nothing, Nothing) -> Buried flank
       pure view
 
--- | A maximal interval of directions, open, during which a corner has the same view; cut where the half turn begins.
+-- | An open interval of directions between consecutive vertices of a corner, during which it has one view; cut where the
+-- half turn begins.
+--
+-- /Degenerate cases/ the next interval has another view, except where a thin wall lies in the line of the vertex between
+-- them: seen edge-on it may hide nothing. Such a vertex ends the edge all the same.
 data Edge = Edge
   { edgeCorner :: !CornerId
   , edgeFrom :: !Direction

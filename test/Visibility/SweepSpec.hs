@@ -20,7 +20,7 @@ import Visibility.Test.Metamorphic
 spec :: Spec
 spec = do
   describe "the vertices" $ do
-    modifyMaxSuccess (* 25) $
+    modifyMaxSuccess (* 50) $
       it "are those of brute force, each once" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
@@ -76,7 +76,7 @@ spec = do
                in conjoin
                     [ counterexample "the pair along the side" (ends `Set.member` old)
                     , Set.difference new atNew === Set.delete ends old
-                    , counterexample "both parts are pairs" (all ((`Set.member` new) . toNew split) [fst ends, snd ends])
+                    , counterexample "both parts" (all ((`Set.member` new) . toNew split) [fst ends, snd ends])
                     ]
   describe "the work" $ do
     it "is less than two chain steps per pair and tree, on long chains and aligned corners too" $

@@ -129,7 +129,12 @@ reversedOrientation raw =
       | otherwise = (countOf raw p - 2 - k) `mod` countOf raw p
 
 onLoops
-  :: String -> (RawPolygon -> RawPolygon) -> (PolygonId -> Int -> Int) -> (PolygonId -> Int -> Int) -> RawScene -> Change
+  :: String
+  -> (RawPolygon -> RawPolygon)
+  -> (PolygonId -> Int -> Int)
+  -> (PolygonId -> Int -> Int)
+  -> RawScene
+  -> Change
 onLoops text f corner side raw =
   Change
     { changeText = text

@@ -19,6 +19,7 @@ import Data.Bits (shiftR)
 import Data.Ratio (denominator, numerator, (%))
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Predicate (Direction (..))
 
 -- | The largest of 1, 2 and 5 times a power of ten that is at most the argument.
@@ -75,8 +76,7 @@ directionAngle :: Direction -> Double
 directionAngle (Direction dx dy) = atan2 (small dy) (small dx)
   where
     small v = fromInteger (v `shiftR` excess)
-    excess = max 0 (bits (max (abs dx) (abs dy)) - 900)
-    bits v = length (takeWhile (> 0) (iterate (`shiftR` 64) v)) * 64
+    excess = max 0 (max (bitLength dx) (bitLength dy) - 900)
 
 -- | A number of things, in words that fit it.
 --

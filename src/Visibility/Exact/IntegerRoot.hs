@@ -1,6 +1,7 @@
--- | Integer square roots and perfect squares.
+-- | Lengths, square roots and perfect squares of integers.
 module Visibility.Exact.IntegerRoot
-  ( integerSquareRoot
+  ( bitLength
+  , integerSquareRoot
   , exactSquareRoot
   , isSquare
   , squareResidues
@@ -10,6 +11,13 @@ import Data.Bits (setBit, shiftL, shiftR, testBit, (.&.))
 import Data.List (foldl')
 import Data.Maybe (isJust)
 import GHC.Num (integerLog2)
+
+-- | The least k with |n| < 2^k.
+--
+-- Example: 0 for 0, 2 for 3, 3 for 4.
+bitLength :: Integer -> Int
+bitLength 0 = 0
+bitLength n = fromIntegral (integerLog2 (abs n)) + 1
 
 -- | The largest integer whose square is at most n.
 --

@@ -23,10 +23,8 @@ module Visibility.Exact.Point
   , Kernel (..)
   , pointsOn
   , withArithmetic
-  , pointCount
   , pointAt
   , pointsKernel
-  , permuted
   ) where
 
 import Data.Bits (shiftL)
@@ -34,6 +32,7 @@ import Data.List (foldl')
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.IntegerRoot (bitLength)
 
 -- | A point of the plane with exact coordinates, in the units of the file.
 data Point = Point !Rational !Rational
@@ -116,15 +115,7 @@ fromVector arithmetic exact = Points exact (kernelFor arithmetic exact)
 withArithmetic :: Arithmetic -> Points -> Points
 withArithmetic arithmetic = fromVector arithmetic . exactPoints
 
--- | Corner i of the result is corner @order ! i@ of the argument.
-permuted :: Arithmetic -> U.Vector Int -> Points -> Points
-permuted arithmetic order points = fromVector arithmetic (V.map (exactPoints points V.!) (V.convert order))
-
--- | How many corners.
-pointCount :: Points -> Int
-pointCount = V.length . exactPoints
-
--- | The exact lattice coordinates of a corner. /Requires/ an index below 'pointCount'.
+-- | The exact lattice coordinates of a corner. /Requires/ an index below the number of corners.
 pointAt :: Points -> Int -> Vector2
 pointAt points i = exactPoints points V.! i
 {-# INLINE pointAt #-}
@@ -153,7 +144,7 @@ extentOf = V.foldl' (\acc (Vector2 x y) -> acc `max` x `max` y) 0
 
 -- | The least k with all coordinates below 2^k.
 binaryOrder :: V.Vector Vector2 -> Int
-binaryOrder exact = length (takeWhile (<= extentOf exact) (iterate (* 2) 1))
+binaryOrder = bitLength . extentOf
 
 -- | x·2^−k, rounded to nearest; 0 ≤ x < 2^k.
 scaledDouble :: Int -> Integer -> Double

@@ -16,7 +16,6 @@ module Visibility.Exact.Predicate
   , direction
   , directionTurn
   , compareDirections
-  , isPositiveDot
   , upwards
   ) where
 
@@ -66,10 +65,11 @@ machineTurn xs a b c = signTurn (fromIntegral det :: Int64)
 -- Write u = 2^-53. Each stored coordinate â has |a - â| <= e(a), with e(a) stored. For a difference D = b - a, the
 -- Double D̂ = fl(b̂ - â) satisfies |D - D̂| <= E := e(a) + e(b) + u|D̂| (subtraction cannot underflow).
 -- For a product P = D1·D2 and P̂ = fl(D̂1·D̂2): |P - P̂| <= |D̂1|E2 + |D̂2|E1 + E1E2 + u|P̂| + 2^-1074.
--- The determinant is P1 - P2, computed with one more rounding of at most u|det^|. The sum of these terms is the bound.
--- It is itself computed in about twenty operations on non-negative Doubles, each with relative error at most u or an
+-- The determinant is P1 - P2, computed with one more rounding of at most u|det^|. The sum of these terms, without the two
+-- 2^-1074, is computed as the bound.
+-- It is itself computed in fewer than forty operations on non-negative Doubles, each with relative error at most u or an
 -- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
--- summand 2^-1000 dominate those losses. So a computed |det^| above the computed bound has the sign of the determinant.
+-- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the sign of the determinant.
 filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Turn
 filteredTurn points xs a b c
   | det > bound = LeftTurn
@@ -150,10 +150,6 @@ compareDirections a b = case directionTurn a b of
   LeftTurn -> LT
   Collinear -> EQ
   RightTurn -> GT
-
--- | Do two directions make less than a right angle?
-isPositiveDot :: Direction -> Direction -> Bool
-isPositiveDot (Direction ax ay) (Direction bx by) = ax * bx + ay * by > 0
 
 -- | 90°, the last direction of the half turn.
 upwards :: Direction

@@ -3,10 +3,10 @@ module Visibility.Format.Info
   ( infoText
   ) where
 
-import Data.Bits (shiftR)
 import qualified Data.Text as Text
 import Numeric (showFFloat)
 import Visibility.Count
+import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Point
 import Visibility.Scene
 
@@ -42,5 +42,4 @@ arithmeticText scene = case sceneArithmetic scene of
     MachineKernel _ -> "filtered: the lattice fits machine integers" <> lattice
     _ -> "filtered: floating-point filter, integers behind it" <> lattice
   where
-    lattice = " (" <> show (bits (latticeScale (sceneLattice scene))) <> "-bit common denominator)"
-    bits n = length (takeWhile (> 0) (iterate (`shiftR` 1) n))
+    lattice = " (" <> show (bitLength (latticeScale (sceneLattice scene))) <> "-bit common denominator)"

@@ -8,7 +8,6 @@ module Visibility.Format.Number
   , exponentLimit
     -- * Writing
   , decimalText
-  , fractionText
   , numberText
   ) where
 
@@ -20,6 +19,7 @@ import Data.Ratio (denominator, numerator, (%))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
+import Visibility.Exact.Rounding (rationalText)
 
 -- | Why a text is not an exact number.
 data NumberFault
@@ -118,12 +118,6 @@ decimalText q = render <$> find divides [0 .. longest]
           padded = replicate (k - length (show part)) '0' <> show part
        in (if q < 0 then "-" else "") <> show whole <> "." <> padded
 
--- | p/q in lowest terms; q is left out when it is 1.
-fractionText :: Rational -> String
-fractionText q
-  | denominator q == 1 = show (numerator q)
-  | otherwise = show (numerator q) <> "/" <> show (denominator q)
-
--- | 'decimalText' if there is one, else 'fractionText'. Always exact.
+-- | 'decimalText' if there is one, else 'rationalText'. Always exact.
 numberText :: Rational -> String
-numberText q = fromMaybe (fractionText q) (decimalText q)
+numberText q = fromMaybe (rationalText q) (decimalText q)

@@ -36,9 +36,11 @@ module Visibility.Scene.Type
   , objectText
   ) where
 
+import Data.Char (isControl)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
+import qualified Data.Text as Text
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
@@ -58,7 +60,8 @@ data Surroundings
 -- Everything is indexed by 'CornerId', the rank in lexicographic order.
 data Scene = Scene
   { sceneTitle :: !(Maybe Text)
-  -- ^ The name that the file gives.
+  -- ^ The name that the file gives, fit to be shown: control characters are replaced by U+FFFD, here as in names of
+  -- polygons.
   , surroundings :: !Surroundings
   , sceneLattice :: !Lattice
   , sceneArithmetic :: !Arithmetic
@@ -101,7 +104,7 @@ data ValidPolygon = ValidPolygon
 assemble :: Maybe Text -> [ValidPolygon] -> Scene
 assemble title polygons =
   Scene
-    { sceneTitle = title
+    { sceneTitle = shown <$> title
     , surroundings = if any ((== Enclosure) . validId) polygons then Room else OpenSky
     , sceneLattice = lattice
     , sceneArithmetic = Filtered
@@ -128,12 +131,13 @@ assemble title polygons =
     ranks = Map.fromList [(name, CornerId i) | (i, (_, name)) <- zip [0 ..] ordered]
     oriented = [(polygon, solidLeft polygon) | polygon <- polygons]
     placed =
-      [ Polygon (validId polygon) (validName polygon) [c | (c, _, _) <- loop]
+      [ Polygon (validId polygon) (shown <$> validName polygon) [c | (c, _, _) <- loop]
       | (polygon, loop) <- oriented
       ]
     faces = [(c, name, material) | (_, loop) <- oriented, (CornerId c, name, material) <- loop]
     cyclic loop = zip (map raw loop) (map raw (drop 1 (cycle loop)))
     raw (CornerId c) = c
+    shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
     -- The corners of a polygon with the solid on their left, each with the name and material of the side it starts.
     solidLeft polygon

@@ -113,8 +113,6 @@ spec = do
           , property (compareDirections a b == GT || compareDirections b c == GT || compareDirections a c /= GT)
           , compareDirections a b === compare (angle a) (angle b)
           ]
-    it "make less than a right angle by the sign of their dot product" $
-      [isPositiveDot (Direction 1 0) (Direction x 1) | x <- [-1, 0, 1]] `shouldBe` [False, False, True]
   describe "opposite" $
     it "undoes itself and leaves collinear alone" $
       (map (opposite . opposite) [minBound .. maxBound], opposite Collinear)

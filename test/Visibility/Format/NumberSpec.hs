@@ -8,6 +8,7 @@ import qualified Data.Text as Text
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
+import Visibility.Exact.Rounding (rationalText)
 import Visibility.Format.Number
 
 spec :: Spec
@@ -29,8 +30,8 @@ spec = do
   describe "numberText" $ do
     prop "readNumber (pack (numberText q)) == Right q" $
       forAll rationals $ \q -> readNumber (Text.pack (numberText q)) === Right q
-    prop "readNumber (pack (fractionText q)) == Right q" $
-      forAll rationals $ \q -> readNumber (Text.pack (fractionText q)) === Right q
+    prop "readNumber (pack (rationalText q)) == Right q" $
+      forAll rationals $ \q -> readNumber (Text.pack (rationalText q)) === Right q
     it "writes decimals of up to 20 digits after the point" $ do
       numberText (-1 % 10 ^ (20 :: Int)) `shouldBe` "-0.00000000000000000001"
       numberText (1 % 10 ^ (21 :: Int)) `shouldBe` "1/1000000000000000000000"

@@ -21,14 +21,8 @@ spec = do
     it "lead back to their families" $
       map (familyNamed . familyName) [minBound ..] `shouldBe` map Just [minBound ..]
     it "are the promised ones, and no others" $ do
-      map familyName [minBound ..] `shouldBe` map Text.pack [ "random"
-                                                            , "sparse"
-                                                            , "grid"
-                                                            , "room"
-                                                            , "comb"
-                                                            , "thin-walls"
-                                                            , "needles"
-                                                            ]
+      map familyName [minBound ..]
+        `shouldBe` map Text.pack ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles"]
       familyNamed (Text.pack "Random") `shouldBe` Nothing
     it "come with a line of purpose each" $
       [ Text.length (Text.strip (familyPurpose kind)) > 10 && not (Text.any (== '\n') (familyPurpose kind))
@@ -90,7 +84,7 @@ spec = do
   where
     onSize n f = maybe (property False) (property . f) (size n)
     allCorners raw = concatMap rawCorners (maybe id (:) (rawEnclosure raw) (rawPolygons raw))
-    extent raw = maximum xs - minimum xs `max` (maximum ys - minimum ys)
+    extent raw = (maximum xs - minimum xs) `max` (maximum ys - minimum ys)
       where
         xs = [x | Point x _ <- allCorners raw]
         ys = [y | Point _ y <- allCorners raw]

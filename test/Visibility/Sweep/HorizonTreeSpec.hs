@@ -51,8 +51,8 @@ spec =
     allowed (Sees Sky) = [ToSky]
     allowed Solid = [NoTarget]
     -- After the half turn the right-going ray is the one that was the left-going one before it.
-    upward scene Rightward c = shoot scene c (opposed (steep scene c))
-    upward scene Leftward c = shoot scene c (steep scene c)
+    upward scene Rightward c = shoot scene c (opposed (steep scene))
+    upward scene Leftward c = shoot scene c (steep scene)
     opposed (Direction x y) = Direction (-x) (-y)
     nextPair scene pairs swept heading c =
       case sortBy (bySlope scene c) (concatMap (from heading c) (filter (`notElem` swept) pairs)) of
@@ -66,7 +66,7 @@ spec =
       RightTurn -> GT
 
 -- | A direction after -90 degrees, steeper than any line of two corners that is not vertical.
-steep :: Scene -> CornerId -> Direction
-steep scene _ = Direction 1 (-1 - height)
+steep :: Scene -> Direction
+steep scene = Direction 1 (-1 - height)
   where
     height = maximum (0 : [y | c <- corners scene, let Vector2 _ y = cornerAt scene c])

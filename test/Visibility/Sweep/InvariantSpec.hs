@@ -36,7 +36,8 @@ parts =
     eachCorner field n _ = map field [0 .. n - 1]
     listsOf n = map cornerList [0 .. n - 1] <> map ceilingList [0 .. n - 1] <> [skyList n]
     nodeNumbers n = [e | Node e <- noNode : map edgeNode [0 .. n - 1] <> map markerNode [0 .. n - 1]]
-    listed n table = concatMap (takeWhile (/= noNode) . iterate (nodeAt table . upper) . nodeAt table . first) (listsOf n)
+    listed n table = concatMap (following table . nodeAt table . first) (listsOf n)
+    following table = takeWhile (/= noNode) . iterate (nodeAt table . upper)
     topNodes n table =
       [ node
       | p <- [0 .. n - 1]

@@ -21,6 +21,7 @@ import qualified Data.Text as Text
 import Text.Read (readMaybe)
 import Visibility.Error
 import Visibility.Exact.Point (Point (..))
+import Visibility.Exact.Rounding (rationalText)
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Number
 import Visibility.Scene.Raw
@@ -222,7 +223,7 @@ polygonDocument (RawPolygon name corners material sides)
 numberDocument :: Rational -> Builder
 numberDocument q = case decimalText q of
   Just decimal -> Builder.string7 decimal
-  Nothing -> "\"" <> Builder.string7 (fractionText q) <> "\""
+  Nothing -> "\"" <> Builder.string7 (rationalText q) <> "\""
 
 textDocument :: Text -> Builder
 textDocument = fromEncoding . Encoding.text

@@ -105,15 +105,20 @@ noList = List (-1)
 noNode :: Node
 noNode = Node (-1)
 
-cornerList, ceilingList, skyList :: Int -> List
 -- | The list of a corner.
+cornerList :: Int -> List
 cornerList t = List (record t + 3)
--- | The list under the side that starts at a corner.
-ceilingList s = List (record s + 13)
--- | The list under the sky of a scene with so many corners.
-skyList = ceilingList
 {-# INLINE cornerList #-}
+
+-- | The list under the side that starts at a corner.
+ceilingList :: Int -> List
+ceilingList s = List (record s + 13)
 {-# INLINE ceilingList #-}
+
+-- | The list under the sky of a scene with so many corners.
+skyList :: Int -> List
+skyList = ceilingList
+{-# INLINE skyList #-}
 
 isCornerList :: List -> Bool
 isCornerList (List l) = l .&. 15 == 3
@@ -124,12 +129,14 @@ listOwner :: List -> Int
 listOwner (List l) = l `shiftR` 4
 {-# INLINE listOwner #-}
 
-edgeNode, markerNode :: Int -> Node
 -- | The node for the tree edge of a corner.
+edgeNode :: Int -> Node
 edgeNode p = Node (record p + 5)
--- | The marker of the side that starts at a corner.
-markerNode i = Node (record i + 9)
 {-# INLINE edgeNode #-}
+
+-- | The marker of the side that starts at a corner.
+markerNode :: Int -> Node
+markerNode i = Node (record i + 9)
 {-# INLINE markerNode #-}
 
 isEdgeNode :: Node -> Bool
@@ -148,15 +155,17 @@ record :: Int -> Int
 record p = p `shiftL` 4
 {-# INLINE record #-}
 
-target, edge, link, counter :: Int -> Field
+target, edge, link :: Int -> Field
 target = record
 edge p = record p + 1
 link p = record p + 2
--- | Of a scene with so many corners.
-counter = record
 {-# INLINE target #-}
 {-# INLINE edge #-}
 {-# INLINE link #-}
+
+-- | The count of chain steps, of a scene with so many corners.
+counter :: Int -> Field
+counter = record
 
 first, final :: List -> Field
 first (List l) = l
