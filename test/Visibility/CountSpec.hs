@@ -5,6 +5,8 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Count
 import Visibility.Scene
+import Visibility.Scene.Family (Family (Random), Seed (..), family, size)
+import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.View
@@ -32,15 +34,13 @@ spec = describe "count" $ do
     -- them there are four vertical sides and two diagonals. The inner corners have three vertices each, the outer ones
     -- two, and an edge from each to the next.
     fmap (counted . sampleScene) (sampleOf [square 0, square 2]) `shouldBeJust` Counts 8 2 12 4 20 0 13
-  it "has two edges a vertex and a face more than vertices, in general position" $
-    property $ \(ConvexScene s) ->
-      let scene = sampleScene s
-          c = counted scene
-          general =
-            degenerateCount c == 0
-              && surroundings scene == OpenSky
-              && all ((> 2) . length . polygonCorners) (scenePolygons scene)
-       in general ==> (edgeCount c, faceCount c) === (2 * vertexCount c, vertexCount c + 1)
+  it "has two edges a vertex and a face more than vertices, for convex polygons in general position" $
+    forAll ((,) <$> choose (1, 8) <*> fmap Seed arbitrary) $ \(n, seed) ->
+      case fmap (\k -> validate (family Random k seed)) (size n) of
+        Just (Right scene) ->
+          let c = counted scene
+           in degenerateCount c == 0 ==> (edgeCount c, faceCount c) === (2 * vertexCount c, vertexCount c + 1)
+        _ -> property False
   where
     counted scene = count scene (events scene (vertices scene))
     square x = [(x, 0), (x + 1, 0), (x + 1, 1), (x, 1)]

@@ -1,3 +1,5 @@
+{-# LANGUAGE TupleSections #-}
+
 -- | Random draws that are the same for all time: the stream of a seed belongs to the contract of @generate@, so it is
 -- written here and not taken from a library.
 --
@@ -26,7 +28,7 @@ instance Functor Draw where
   fmap f (Draw run) = Draw (\s -> let (a, s') = run s in (f a, s'))
 
 instance Applicative Draw where
-  pure a = Draw ((,) a)
+  pure a = Draw (a,)
   Draw runF <*> Draw runA = Draw (\s -> let (f, s') = runF s; (a, s'') = runA s' in (f a, s''))
 
 instance Monad Draw where
