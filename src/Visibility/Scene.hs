@@ -24,8 +24,7 @@ module Visibility.Scene
   , cornerPoint
   , nextCorner
   , previousCorner
-  , nextCorners
-  , previousCorners
+  , neighbourTable
   , isWallCorner
     -- * Sides
   , sides

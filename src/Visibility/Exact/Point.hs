@@ -28,6 +28,7 @@ module Visibility.Exact.Point
   ) where
 
 import Data.Bits (shiftL)
+import Data.Int (Int32)
 import Data.List (foldl')
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
@@ -90,7 +91,7 @@ data Arithmetic
 data Kernel
   = -- | x and y of corner i at 2i and 2i+1. All lie in [0, 2^31), so that a difference is below 2^31 in size, a product
     -- of two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
-    MachineKernel !(U.Vector Int)
+    MachineKernel !(U.Vector Int32)
   | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the
     -- one k that brings all coordinates below 1; the Doubles are at most 1.
     FilterKernel !(U.Vector Double)

@@ -19,7 +19,7 @@ module Visibility.Exact.Predicate
   , upwards
   ) where
 
-import Data.Int (Int64)
+import Data.Int (Int32, Int64)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 
@@ -50,14 +50,15 @@ turn points a b c = case pointsKernel points of
 {-# INLINE turn #-}
 
 -- The extent proved for 'MachineKernel' keeps every intermediate value within 64 bits.
-machineTurn :: U.Vector Int -> Int -> Int -> Int -> Turn
-machineTurn xs a b c = signTurn (fromIntegral det :: Int64)
+machineTurn :: U.Vector Int32 -> Int -> Int -> Int -> Turn
+machineTurn xs a b c = signTurn det
   where
-    !ax = xs U.! (2 * a)
-    !ay = xs U.! (2 * a + 1)
+    coordinate i = fromIntegral (xs U.! i) :: Int64
+    !ax = coordinate (2 * a)
+    !ay = coordinate (2 * a + 1)
     !det =
-      (xs U.! (2 * b) - ax) * (xs U.! (2 * c + 1) - ay)
-        - (xs U.! (2 * b + 1) - ay) * (xs U.! (2 * c) - ax)
+      (coordinate (2 * b) - ax) * (coordinate (2 * c + 1) - ay)
+        - (coordinate (2 * b + 1) - ay) * (coordinate (2 * c) - ax)
 {-# INLINE machineTurn #-}
 
 -- Note [The filter's bound]

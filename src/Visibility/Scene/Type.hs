@@ -24,8 +24,7 @@ module Visibility.Scene.Type
   , cornerPoint
   , nextCorner
   , previousCorner
-  , nextCorners
-  , previousCorners
+  , neighbourTable
   , isWallCorner
     -- * Sides
   , sides
@@ -37,6 +36,7 @@ module Visibility.Scene.Type
   ) where
 
 import Data.Char (isControl)
+import Data.Int (Int32)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
@@ -67,10 +67,8 @@ data Scene = Scene
   , sceneArithmetic :: !Arithmetic
   , scenePoints :: !Points
   -- ^ Lattice coordinates of the corners, by 'CornerId'.
-  , nextCorners :: !(U.Vector Int)
-  -- ^ 'nextCorner' as a table of indices.
-  , previousCorners :: !(U.Vector Int)
-  -- ^ 'previousCorner' as a table of indices.
+  , neighbourTable :: !(U.Vector Int32)
+  -- ^ 'nextCorner' and 'previousCorner' of corner i at 2i and 2i+1: close together, as the sweep asks for both.
   , cornerNames :: !(V.Vector CornerName)
   , sideNames :: !(V.Vector SideName)
   , materials :: !(V.Vector Material)
@@ -109,8 +107,7 @@ assemble title polygons =
     , sceneLattice = lattice
     , sceneArithmetic = Filtered
     , scenePoints = points
-    , nextCorners = U.replicate n 0 U.// concatMap (cyclic . polygonCorners) placed
-    , previousCorners = U.replicate n 0 U.// concatMap (cyclic . reverse . polygonCorners) placed
+    , neighbourTable = U.replicate (2 * n) 0 U.// concatMap (beside . map raw . polygonCorners) placed
     , cornerNames = V.fromList [name | (_, name) <- ordered]
     , sideNames = V.replicate n (SideName Enclosure 0) V.// [(c, name) | (c, name, _) <- faces]
     , materials = V.fromList [m | (_, _, m) <- sortOn (\(c, _, _) -> c) faces]
@@ -135,7 +132,11 @@ assemble title polygons =
       | (polygon, loop) <- oriented
       ]
     faces = [(c, name, material) | (_, loop) <- oriented, (CornerId c, name, material) <- loop]
-    cyclic loop = zip (map raw loop) (map raw (drop 1 (cycle loop)))
+    beside loop =
+      concat
+        [ [(2 * c, fromIntegral after), (2 * c + 1, fromIntegral before)]
+        | (before, c, after) <- zip3 (rotated (-1) loop) loop (rotated 1 loop)
+        ]
     raw (CornerId c) = c
     shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
@@ -169,7 +170,7 @@ underArithmetic arithmetic scene =
 
 -- | n, the number of corners.
 cornerCount :: Scene -> Int
-cornerCount = U.length . nextCorners
+cornerCount = V.length . cornerNames
 
 -- | All corners in lexicographic order.
 corners :: Scene -> [CornerId]
@@ -193,12 +194,12 @@ cornerPoint scene = fromLattice (sceneLattice scene) . cornerAt scene
 
 -- | The following corner of the same polygon, the solid being on the left on the way to it.
 nextCorner :: Scene -> CornerId -> CornerId
-nextCorner scene (CornerId c) = CornerId (nextCorners scene U.! c)
+nextCorner scene (CornerId c) = CornerId (fromIntegral (neighbourTable scene U.! (2 * c)))
 {-# INLINE nextCorner #-}
 
 -- | The preceding corner of the same polygon. For an end of a thin wall it is the same as the following one.
 previousCorner :: Scene -> CornerId -> CornerId
-previousCorner scene (CornerId c) = CornerId (previousCorners scene U.! c)
+previousCorner scene (CornerId c) = CornerId (fromIntegral (neighbourTable scene U.! (2 * c + 1)))
 {-# INLINE previousCorner #-}
 
 -- | Is this an end of a thin wall?

@@ -13,6 +13,7 @@ module Visibility.Sweep.HorizonTree.Frame
   , isTreeEdge
   ) where
 
+import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
@@ -28,8 +29,7 @@ data Frame = RightwardFrame !Tables | LeftwardFrame !Tables
 data Tables = Tables
   { tableSize :: !Int
   , tablePoints :: !Points
-  , followings :: !(U.Vector Int)
-  , precedings :: !(U.Vector Int)
+  , tableNeighbours :: !(U.Vector Int32)
   }
 
 frame :: Scene -> Heading -> Frame
@@ -37,7 +37,7 @@ frame scene heading = case heading of
   Rightward -> RightwardFrame tables
   Leftward -> LeftwardFrame tables
   where
-    tables = Tables (cornerCount scene) (scenePoints scene) (nextCorners scene) (previousCorners scene)
+    tables = Tables (cornerCount scene) (scenePoints scene) (neighbourTable scene)
 
 tablesOf :: Frame -> Tables
 tablesOf (RightwardFrame tables) = tables
@@ -50,8 +50,8 @@ frameSize = tableSize . tablesOf
 {-# INLINE frameSize #-}
 
 following, preceding :: Frame -> Int -> Int
-following f p = followings (tablesOf f) U.! p
-preceding f p = precedings (tablesOf f) U.! p
+following f p = fromIntegral (tableNeighbours (tablesOf f) U.! (2 * p))
+preceding f p = fromIntegral (tableNeighbours (tablesOf f) U.! (2 * p + 1))
 {-# INLINE following #-}
 {-# INLINE preceding #-}
 
