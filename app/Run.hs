@@ -17,7 +17,6 @@ import Control.Exception
   , fromException
   , handleJust
   )
-import Control.Monad (when)
 import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
@@ -120,6 +119,5 @@ orComplain place write = do
     Left fault
       | isResourceVanishedErrorType (ioeGetErrorType fault) -> ends Success
       | otherwise -> do
-          when (place == "standard output") $ hSetBuffering stdout NoBuffering
           complain [place <> ": cannot be written: " <> ioeGetErrorString fault]
           ends UnreadableInput
