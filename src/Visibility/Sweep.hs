@@ -1,12 +1,14 @@
--- | The sweeps of the visibility complex: the topological one, and brute force as its oracle.
+-- | The sweeps of the visibility complex: the topological one, the straight one, and brute force as their oracle.
 --
--- +---------------+------------------+-----------------+------------------------------+
--- | algorithm     | time             | live memory     | source                       |
--- +===============+==================+=================+==============================+
--- | 'vertices'    | O(m + n log n)   | O(n)            | Rivière, horizon trees       |
--- +---------------+------------------+-----------------+------------------------------+
--- | 'bruteForce'  | O(n³)            | O(m)            | the definition               |
--- +---------------+------------------+-----------------+------------------------------+
+-- +--------------------+------------------+-------------+-----------------------------------+
+-- | algorithm          | time             | live memory | source                            |
+-- +====================+==================+=============+===================================+
+-- | 'vertices'         | O(m + n log n)   | O(n)        | Rivière, horizon trees            |
+-- +--------------------+------------------+-------------+-----------------------------------+
+-- | 'straightVertices' | O((m + n) log n) | O(n)        | Orti and others, queue over faces |
+-- +--------------------+------------------+-------------+-----------------------------------+
+-- | 'bruteForce'       | O(n³)            | O(m)        | the definition                    |
+-- +--------------------+------------------+-------------+-----------------------------------+
 --
 -- n corners, m elementary visible pairs. That the chain steps of 'vertices' are O(m) is proved by Rivière for a scan from one
 -- end; for the scan from both ends that is used here it is measured.
@@ -18,6 +20,11 @@ module Visibility.Sweep
   , vertexDirection
   , isDegenerate
   , fromCorners
+  , compareVertices
+  , canonicalOrder
+    -- * Either sweep
+  , Scheduler (..)
+  , verticesBy
     -- * The topological sweep
   , vertices
   , Sweep
@@ -27,10 +34,32 @@ module Visibility.Sweep
   , finish
   , stepsTaken
   , pairsSwept
+    -- * The straight sweep
+  , straightVertices
     -- * The oracle
   , bruteForce
   ) where
 
+import Data.List (sortBy)
+import Visibility.Scene (Scene)
 import Visibility.Sweep.BruteForce
+import Visibility.Sweep.Straight
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertex
+
+-- | In which order vertices are swept. What is swept does not depend on it.
+data Scheduler
+  = -- | Any order in which each corner's vertices come by increasing direction.
+    Topological
+  | -- | By direction: the canonical order.
+    Straight
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | All vertices of a scene, lazily, in the order of a scheduler.
+verticesBy :: Scheduler -> Scene -> [Vertex]
+verticesBy Topological = vertices
+verticesBy Straight = straightVertices
+
+-- | Vertices in their canonical order, see 'compareVertices'.
+canonicalOrder :: Scene -> [Vertex] -> [Vertex]
+canonicalOrder scene = sortBy (compareVertices scene)

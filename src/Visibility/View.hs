@@ -27,7 +27,6 @@ module Visibility.View
   , stretches
   ) where
 
-import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', mapAccumL)
@@ -36,7 +35,8 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (Heading (..), Vertical (..), objectOf, solid, verticalSweep)
+import Visibility.Sweep.Vertical (objectOf)
+import Visibility.Sweep.Sights
 
 -- | A side of a directed line: above is to the left of it.
 data Flank = Above | Below
@@ -128,32 +128,15 @@ data Event = Event
   }
   deriving (Eq, Show)
 
--- | Front and back object of each corner, and 1 where the following corner of its polygon lies above its line.
-data Sights v = Sights {frontOf :: !v, backOf :: !v, nextAbove :: !v}
-
-instance Functor Sights where
-  fmap f (Sights a b c) = Sights (f a) (f b) (f c)
-
-instance Foldable Sights where
-  foldMap f (Sights a b c) = f a <> f b <> f c
-
-instance Traversable Sights where
-  traverse f (Sights a b c) = Sights <$> f a <*> f b <*> f c
-
 -- | The events of a stream of vertices, one each, in its order.
 --
 -- /Requires/ the vertices of the scene in an order in which each corner's vertices come by increasing direction.
 -- /Cost/ O(1) per elementary pair; the stream is taken in pieces of n vertices, each in place, and memory is that of a
 -- piece: O(n) where vertices have a bounded number of corners.
 events :: Scene -> [Vertex] -> [Event]
-events scene = go start
+events scene = go (startSights scene)
   where
     n = cornerCount scene
-    start =
-      Sights
-        (floors (verticalSweep scene Rightward))
-        (floors (verticalSweep scene Leftward))
-        (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in fromEnum (q > p)))
     go _ [] = []
     go sights vertices =
       let (piece, rest) = splitAt (max 64 n) vertices
@@ -165,35 +148,20 @@ events scene = go start
        in done <> go sights' rest
 
 -- | Turns the line of one vertex through it.
-pass :: Scene -> Sights (M.MVector s Int) -> Vertex -> ST s Event
+pass :: Scene -> Changing s -> Vertex -> ST s Event
 pass scene sights vertex = do
   before <- mapM look line
-  forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing p q (frontOf sights)
-  forM_ pairs $ \(CornerId p, CornerId q) -> do
-    landing q p (backOf sights)
-    when (following p == q) (M.modify (nextAbove sights) (1 -) p)
-    when (following q == p) (M.modify (nextAbove sights) (1 -) q)
+  turnThrough scene sights vertex
   after <- mapM look line
   pure (Event vertex before after)
   where
     line = vertexCorners vertex
-    pairs = vertexPairs vertex
-    following p = let CornerId q = nextCorner scene (CornerId p) in q
-    preceding p = let CornerId q = previousCorner scene (CornerId p) in q
-
-    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
-    -- obstacle, a side of q that stands in the way, or what q sees itself.
-    landing p q objects
-      | following p == q, preceding p /= q = M.write objects p solid
-      | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn = M.write objects p (preceding q)
-      | otherwise = M.read objects q >>= M.write objects p
-
     look (CornerId p) = do
       front <- M.read (frontOf sights) p
       back <- M.read (backOf sights) p
       above <- M.read (nextAbove sights) p
       let flank = if above == 1 then Above else Below
-          !view = case (objectOf scene back, objectOf scene front) of
+          !view = case (objectOf scene (fromIntegral back), objectOf scene (fromIntegral front)) of
             (Just b, Just f) -> Tangent flank b f
             (Just b, Nothing) -> Ending Front b
             (Nothing, Just f) -> Ending Back f

@@ -11,6 +11,8 @@ module Visibility.Exact.Predicate
     Turn (..)
   , turn
   , opposite
+    -- * Turns of headings
+  , headingTurn
     -- * Turns and order of directions
   , Direction (..)
   , direction
@@ -42,23 +44,31 @@ opposite LeftTurn = RightTurn
 --
 -- /Laws/ @turn p a b c == turn p b c a == opposite (turn p b a c)@.
 turn :: Points -> Int -> Int -> Int -> Turn
-turn points a b c = case pointsKernel points of
-  MachineKernel xs -> machineTurn xs a b c
-  FilterKernel xs -> filteredTurn points xs a b c
-  IntegerKernel -> integerTurn points a b c
-  DoubleKernel xs -> doubleTurn xs a b c
+turn points a b c = headingTurn points a b a c
 {-# INLINE turn #-}
 
+-- | @headingTurn points a b c d@ is the turn from the direction a to b to the direction c to d.
+--
+-- /Degenerate cases/ 'Collinear' for parallel directions, equal or opposed, and where a coincides with b or c with d.
+--
+-- /Cost/ that of 'turn'.
+--
+-- /Laws/ @headingTurn p a b c d == opposite (headingTurn p c d a b) == opposite (headingTurn p b a c d)@;
+-- @headingTurn p a b a c == turn p a b c@.
+headingTurn :: Points -> Int -> Int -> Int -> Int -> Turn
+headingTurn points a b c d = case pointsKernel points of
+  MachineKernel xs -> machineTurn xs a b c d
+  FilterKernel xs -> filteredTurn points xs a b c d
+  IntegerKernel -> integerTurn points a b c d
+  DoubleKernel xs -> doubleTurn xs a b c d
+{-# INLINE headingTurn #-}
+
 -- The extent proved for 'MachineKernel' keeps every intermediate value within 64 bits.
-machineTurn :: U.Vector Int32 -> Int -> Int -> Int -> Turn
-machineTurn xs a b c = signTurn det
+machineTurn :: U.Vector Int32 -> Int -> Int -> Int -> Int -> Turn
+machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))
   where
-    coordinate i = fromIntegral (xs U.! i) :: Int64
-    !ax = coordinate (2 * a)
-    !ay = coordinate (2 * a + 1)
-    !det =
-      (coordinate (2 * b) - ax) * (coordinate (2 * c + 1) - ay)
-        - (coordinate (2 * b + 1) - ay) * (coordinate (2 * c) - ax)
+    x i = fromIntegral (xs U.! (2 * i)) :: Int64
+    y i = fromIntegral (xs U.! (2 * i + 1)) :: Int64
 {-# INLINE machineTurn #-}
 
 -- Note [The filter's bound]
@@ -71,27 +81,27 @@ machineTurn xs a b c = signTurn det
 -- It is itself computed in fewer than forty operations on non-negative Doubles, each with relative error at most u or an
 -- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
 -- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the sign of the determinant.
-filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Turn
-filteredTurn points xs a b c
+filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Int -> Turn
+filteredTurn points xs a b c d
   | det > bound = LeftTurn
   | det < negate bound = RightTurn
-  | otherwise = integerTurn points a b c
+  | otherwise = integerTurn points a b c d
   where
     coordinate i k = xs U.! (4 * i + k)
     between i j k = coordinate j k - coordinate i k
-    loss i j k d = coordinate i (k + 2) + coordinate j (k + 2) + unitRoundoff * abs d
+    loss i j k delta = coordinate i (k + 2) + coordinate j (k + 2) + unitRoundoff * abs delta
     !dx1 = between a b 0
     !dy1 = between a b 1
-    !dx2 = between a c 0
-    !dy2 = between a c 1
+    !dx2 = between c d 0
+    !dy2 = between c d 1
     !ex1 = loss a b 0 dx1
     !ey1 = loss a b 1 dy1
-    !ex2 = loss a c 0 dx2
-    !ey2 = loss a c 1 dy2
+    !ex2 = loss c d 0 dx2
+    !ey2 = loss c d 1 dy2
     !left = dx1 * dy2
     !right = dy1 * dx2
     !det = left - right
-    product' d e d' e' = abs d * e' + abs d' * e + e * e'
+    product' p e q f = abs p * f + abs q * e + e * f
     !bound =
       ( product' dx1 ex1 dy2 ey2
           + product' dy1 ey1 dx2 ex2
@@ -103,21 +113,18 @@ filteredTurn points xs a b c
 
 {-# NOINLINE filteredTurn #-}
 
-integerTurn :: Points -> Int -> Int -> Int -> Turn
-integerTurn points a b c = directionTurn (along a b) (along a c)
+integerTurn :: Points -> Int -> Int -> Int -> Int -> Turn
+integerTurn points a b c d = directionTurn (along a b) (along c d)
   where
     along i j = let Vector2 x y = difference (pointAt points i) (pointAt points j) in Direction x y
 
 {-# NOINLINE integerTurn #-}
 
-doubleTurn :: U.Vector Double -> Int -> Int -> Int -> Turn
-doubleTurn xs a b c = signTurn det
+doubleTurn :: U.Vector Double -> Int -> Int -> Int -> Int -> Turn
+doubleTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))
   where
-    ax = xs U.! (2 * a)
-    ay = xs U.! (2 * a + 1)
-    det =
-      (xs U.! (2 * b) - ax) * (xs U.! (2 * c + 1) - ay)
-        - (xs U.! (2 * b + 1) - ay) * (xs U.! (2 * c) - ax)
+    x i = xs U.! (2 * i)
+    y i = xs U.! (2 * i + 1)
 
 {-# NOINLINE doubleTurn #-}
 

@@ -5,11 +5,12 @@ module Visibility.Sweep.Vertex
   , vertexPairs
   , isDegenerate
   , vertexDirection
+  , compareVertices
   , vertexLast
   , fromCorners
   ) where
 
-import Visibility.Exact.Predicate (Direction, direction)
+import Visibility.Exact.Predicate
 import Visibility.Scene
 
 -- | A maximal free segment with two or more corners on it: the corners in order along the line, from left to right (the
@@ -41,3 +42,16 @@ vertexLast (Vertex _ b rest) = foldl (\_ c -> c) b rest
 fromCorners :: [CornerId] -> Maybe Vertex
 fromCorners (a : b : rest) = Just (Vertex a b rest)
 fromCorners _ = Nothing
+
+-- | The canonical order of vertices: by direction, then by offset, then along the line. /Cost/ O(1).
+compareVertices :: Scene -> Vertex -> Vertex -> Ordering
+compareVertices scene (Vertex (CornerId a) (CornerId b) _) (Vertex (CornerId c) (CornerId d) _) =
+  case headingTurn points a b c d of
+    LeftTurn -> LT
+    RightTurn -> GT
+    Collinear -> case turn points a b c of
+      LeftTurn -> LT
+      RightTurn -> GT
+      Collinear -> compare a c
+  where
+    points = scenePoints scene

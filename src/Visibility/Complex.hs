@@ -1,0 +1,68 @@
+-- | The visibility complex of a scene as a value: vertices, edges and faces with their incidences.
+--
+-- A complex is made by 'build' from the vertices of any sweep, which number it; 'complexOf' numbers it canonically, as a
+-- function of the scene alone. Where the half turn begins, nothing is cut: an edge and a face that go on there are one.
+--
+-- In a scene in general position, a vertex has four edges, and six faces where the line is tangent at both corners, five where
+-- it is tangent at one, four where it ends at both. A tangent edge has three faces, an ending edge two. Vertices with any
+-- number of corners are ordinary values.
+--
+-- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 3; Pocchiola,
+-- Vegter, The visibility complex.
+module Visibility.Complex
+  ( -- * The complex
+    Complex
+  , complexScene
+  , complexOf
+  , build
+    -- * Identifiers
+  , VertexId (..)
+  , EdgeId (..)
+  , FaceId (..)
+    -- * Vertices
+  , vertexIds
+  , vertexAt
+  , Kind (..)
+  , vertexKinds
+  , vertexBack
+  , vertexFront
+  , vertexEdges
+  , vertexEdgesAfter
+  , vertexFaces
+    -- * Edges and buried stretches
+  , edgeIds
+  , stretchIds
+  , isEdge
+  , edgeCorner
+  , edgeFirst
+  , edgeLast
+  , edgeBefore
+  , edgeAfter
+  , edgeView
+  , edgeFrom
+  , edgeTo
+  , wrapsAround
+  , Quarter (..)
+  , faceAt
+  , edgeFacesOn
+    -- * Faces
+  , faceIds
+  , faceBack
+  , faceFront
+  , faceFirst
+  , faceLast
+  , Chain (..)
+  , upperChain
+  , lowerChain
+  ) where
+
+import Visibility.Complex.Build
+import Visibility.Complex.Type
+import Visibility.Scene (Scene)
+import Visibility.Sweep (canonicalOrder, vertices)
+
+-- | The complex of a scene, its vertices numbered by direction, then by offset, then along the line.
+--
+-- /Cost/ O(n log n + m log m).
+complexOf :: Scene -> Complex
+complexOf scene = build scene (canonicalOrder scene (vertices scene))

@@ -1,0 +1,346 @@
+-- | The visibility complex in tables: vertices, stretches and faces with their incidences, by id.
+--
+-- The constructor is open for those who make complexes ("Visibility.Complex.Build"), check them
+-- ("Visibility.Complex.Law") or break them on purpose, in tests. Others see "Visibility.Complex".
+module Visibility.Complex.Type
+  ( -- * Tables
+    Complex (..)
+    -- * Identifiers
+  , VertexId (..)
+  , EdgeId (..)
+  , FaceId (..)
+    -- * Vertices
+  , vertexIds
+  , vertexAt
+  , vertexEdgesAfter
+  , Kind (..)
+  , vertexKinds
+  , vertexBack
+  , vertexFront
+  , vertexEdges
+  , vertexFaces
+    -- * Stretches and edges
+  , edgeIds
+  , stretchIds
+  , isEdge
+  , edgeCorner
+  , edgeFirst
+  , edgeLast
+  , edgeBefore
+  , edgeAfter
+  , edgeView
+  , edgeFrom
+  , edgeTo
+  , wrapsAround
+  , Quarter (..)
+  , faceAt
+  , edgeFacesOn
+  , lastEdgeOf
+    -- * Faces
+  , faceIds
+  , faceBack
+  , faceFront
+  , faceFirst
+  , faceLast
+  , Chain (..)
+  , upperChain
+  , lowerChain
+  , facesOfObject
+  ) where
+
+import Data.Int (Int32)
+import Data.List (nub)
+import Data.Maybe (catMaybes)
+import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Predicate
+import Visibility.Law (broken)
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (objectOf, skyCode, solid)
+import Visibility.View (End (..), Flank (..), View (..), isTangent)
+
+-- | A vertex, from 0.
+newtype VertexId = VertexId Int
+  deriving (Eq, Ord, Show)
+
+-- | A stretch of a corner's curve between two consecutive vertices of the corner, from 0: an edge, or an interval in
+-- which the corner is buried. There is one for each corner of each vertex, the one that begins there; those of one vertex
+-- follow each other in the order of the corners along its line.
+newtype EdgeId = EdgeId Int
+  deriving (Eq, Ord, Show)
+
+-- | A face, from 0.
+newtype FaceId = FaceId Int
+  deriving (Eq, Ord, Show)
+
+-- | The tables of the complex of a scene. Numbers stand for ids; −1 where there is none; objects as in the tables of the
+-- sweep ('objectOf').
+--
+-- /Cost/ 36 bytes per corner of a vertex and 24 per face, besides the chains: 4 bytes per incidence of a stretch with a face.
+data Complex = Complex
+  { complexScene :: !Scene
+  , vertexStarts :: !(U.Vector Int32)
+  -- ^ The stretches that begin at vertex v are those from entry v on, below entry v + 1.
+  , stretchCorners :: !(U.Vector Int32)
+  , stretchVertices :: !(U.Vector Int32)
+  -- ^ The vertex at which a stretch begins.
+  , stretchesBefore :: !(U.Vector Int32)
+  -- ^ The stretch of the same corner that ends where this one begins.
+  , stretchesAfter :: !(U.Vector Int32)
+  -- ^ The stretch of the same corner that begins where this one ends. Where the half turn cuts a stretch, it is
+  -- glued: after the last stretch of a corner comes its first one, read backwards.
+  , stretchBacks :: !(U.Vector Int32)
+  -- ^ The object seen backward, where the stretch begins.
+  , stretchFronts :: !(U.Vector Int32)
+  , stretchFlanks :: !(U.Vector Int32)
+  -- ^ 1 where the following corner of the polygon lies above the line, where the stretch begins.
+  , stretchFaces :: !(U.Vector Int32)
+  -- ^ Four for each stretch, by 'Quarter', where the stretch begins. A face on both quarters of a flank is entered twice.
+  , lastStretches :: !(U.Vector Int32)
+  -- ^ By corner: its stretch that goes on over the end of the half turn.
+  , faceFirsts :: !(U.Vector Int32)
+  , faceLasts :: !(U.Vector Int32)
+  , faceBacks :: !(U.Vector Int32)
+  , faceFronts :: !(U.Vector Int32)
+  , upperStarts :: !(U.Vector Int32)
+  -- ^ The upper chain of face f is in 'chains' from entry f on, below entry f of 'lowerStarts'.
+  , lowerStarts :: !(U.Vector Int32)
+  -- ^ The lower chain of face f is in 'chains' from entry f on, below entry f + 1 of 'upperStarts'.
+  , upperTurns :: !(U.Vector Int32)
+  -- ^ Where in 'chains' the part of the upper chain begins that lies after the end of the half turn.
+  , lowerTurns :: !(U.Vector Int32)
+  , chains :: !(U.Vector Int32)
+  }
+
+at :: U.Vector Int32 -> Int -> Int
+at table i = fromIntegral (table U.! i)
+{-# INLINE at #-}
+
+vertexTotal, stretchTotal, faceTotal :: Complex -> Int
+vertexTotal complex = U.length (vertexStarts complex) - 1
+stretchTotal = U.length . stretchCorners
+faceTotal = U.length . faceFirsts
+
+-- | All vertices, in the order of the stream that the complex was built from.
+vertexIds :: Complex -> [VertexId]
+vertexIds complex = map VertexId [0 .. vertexTotal complex - 1]
+
+-- | The corners of a vertex. /Cost/ O(k) for k corners.
+vertexAt :: Complex -> VertexId -> Vertex
+vertexAt complex v = case map (edgeCorner complex) (vertexEdgesAfter complex v) of
+  a : b : rest -> Vertex a b rest
+  found -> broken "a vertex has two corners or more" (show found)
+
+-- | The stretches that begin at a vertex, in the order of its corners.
+vertexEdgesAfter :: Complex -> VertexId -> [EdgeId]
+vertexEdgesAfter complex (VertexId v) =
+  map EdgeId [at (vertexStarts complex) v .. at (vertexStarts complex) (v + 1) - 1]
+
+-- | What the line of a vertex does at one of its corners.
+data Kind
+  = -- | The polygon lies strictly on this flank.
+    TangentAt !Flank
+  | -- | The maximal free segment has this end at the corner.
+    EndingAt !End
+  | -- | A side of the corner lies in the line.
+    AlongSide
+  deriving (Eq, Ord, Show)
+
+-- | By corner, in their order along the line.
+--
+-- /Degenerate cases/ at a side the segment passes on where the corner is convex, flat, or an end of a thin wall, and ends
+-- where it is reflex; 'vertexBack' and 'vertexFront' tell.
+vertexKinds :: Complex -> VertexId -> [Kind]
+vertexKinds complex v = zipWith3 kind (True : map (const False) line) line ends
+  where
+    scene = complexScene complex
+    line = map (edgeCorner complex) (vertexEdgesAfter complex v)
+    ends = drop 1 (map (const False) line) <> [True]
+    points = scenePoints scene
+    raw (CornerId c) = c
+    -- Another corner of the line, ahead of this one but for the last.
+    other c isLast = if isLast then (line !! 0, c) else (c, last line)
+    kind isFirst c isLast
+      | onNext == Collinear || onPrevious == Collinear = AlongSide
+      | onNext == onPrevious = TangentAt (if onNext == LeftTurn then Above else Below)
+      | isFirst && not (isTangent scene c (last line)) = EndingAt Back
+      | isLast && not (isTangent scene c (line !! 0)) = EndingAt Front
+      | otherwise = TangentAt (if onNext == LeftTurn then Above else Below)
+      where
+        (p, q) = other c isLast
+        onNext = turn points (raw p) (raw q) (raw (nextCorner scene c))
+        onPrevious = turn points (raw p) (raw q) (raw (previousCorner scene c))
+
+-- | What the maximal free segment of a vertex ends at backward, 'Nothing' where it ends at the first corner.
+vertexBack :: Complex -> VertexId -> Maybe Object
+vertexBack complex v = case vertexEdgesAfter complex v of
+  EdgeId e : _ -> objectOf (complexScene complex) (at (stretchBacks complex) e)
+  [] -> Nothing
+
+-- | What it ends at forward, 'Nothing' where it ends at the last corner.
+vertexFront :: Complex -> VertexId -> Maybe Object
+vertexFront complex v = case reverse (vertexEdgesAfter complex v) of
+  EdgeId e : _ -> objectOf (complexScene complex) (at (stretchFronts complex) e)
+  [] -> Nothing
+
+-- | The incident edges in cyclic order, counter-clockwise in the dual (angle to the right, offset upwards), beginning with
+-- the lowest of those that begin here. Buried stretches are no edges.
+vertexEdges :: Complex -> VertexId -> [EdgeId]
+vertexEdges complex v = filter (isEdge complex) (after <> map (edgeBefore complex) after)
+  where
+    after = reverse (vertexEdgesAfter complex v)
+
+-- | The incident faces, each once, in the order in which the incident stretches meet them.
+vertexFaces :: Complex -> VertexId -> [FaceId]
+vertexFaces complex v =
+  nub (concatMap around (reverse after) <> concatMap (around . edgeBefore complex) after)
+  where
+    after = vertexEdgesAfter complex v
+    around e = catMaybes [faceAt complex e quarter | quarter <- [BelowFront, BelowBack, AboveBack, AboveFront]]
+
+-- | All edges: tangent and ending stretches.
+edgeIds :: Complex -> [EdgeId]
+edgeIds complex = filter (isEdge complex) (stretchIds complex)
+
+-- | All stretches, the buried ones too.
+stretchIds :: Complex -> [EdgeId]
+stretchIds complex = map EdgeId [0 .. stretchTotal complex - 1]
+
+-- | Is the stretch an edge, that is, not buried?
+isEdge :: Complex -> EdgeId -> Bool
+isEdge complex (EdgeId e) = at (stretchBacks complex) e /= solid || at (stretchFronts complex) e /= solid
+
+edgeCorner :: Complex -> EdgeId -> CornerId
+edgeCorner complex (EdgeId e) = CornerId (at (stretchCorners complex) e)
+{-# INLINE edgeCorner #-}
+
+-- | The vertex where a stretch begins.
+edgeFirst :: Complex -> EdgeId -> VertexId
+edgeFirst complex (EdgeId e) = VertexId (at (stretchVertices complex) e)
+{-# INLINE edgeFirst #-}
+
+-- | The vertex where it ends; the same one for an end of a thin wall that sees no other corner.
+edgeLast :: Complex -> EdgeId -> VertexId
+edgeLast complex = edgeFirst complex . edgeAfter complex
+{-# INLINE edgeLast #-}
+
+-- | The stretch of the same corner that ends where this one begins.
+edgeBefore :: Complex -> EdgeId -> EdgeId
+edgeBefore complex (EdgeId e) = EdgeId (at (stretchesBefore complex) e)
+{-# INLINE edgeBefore #-}
+
+-- | The stretch of the same corner that begins where this one ends.
+edgeAfter :: Complex -> EdgeId -> EdgeId
+edgeAfter complex (EdgeId e) = EdgeId (at (stretchesAfter complex) e)
+{-# INLINE edgeAfter #-}
+
+-- | The view during a stretch, read as it is where the stretch begins.
+edgeView :: Complex -> EdgeId -> View
+edgeView complex (EdgeId e) = case (object stretchBacks, object stretchFronts) of
+  (Just b, Just f) -> Tangent flank b f
+  (Just b, Nothing) -> Ending Front b
+  (Nothing, Just f) -> Ending Back f
+  (Nothing, Nothing) -> Buried flank
+  where
+    object table = objectOf (complexScene complex) (at (table complex) e)
+    flank = if at (stretchFlanks complex) e == 1 then Above else Below
+
+-- | The direction in which a stretch begins. Not reduced.
+edgeFrom :: Complex -> EdgeId -> Direction
+edgeFrom complex e = directionOf complex (edgeFirst complex e)
+
+-- | The direction in which it ends, right-going, also where it goes on over the end of the half turn. Not reduced.
+edgeTo :: Complex -> EdgeId -> Direction
+edgeTo complex e = directionOf complex (edgeLast complex e)
+
+directionOf :: Complex -> VertexId -> Direction
+directionOf complex (VertexId v) =
+  direction (scenePoints (complexScene complex)) (at (stretchCorners complex) e) (at (stretchCorners complex) (e + 1))
+  where
+    e = at (vertexStarts complex) v
+
+-- | Does the stretch go on over the end of the half turn? Its last part is then read backwards.
+wrapsAround :: Complex -> EdgeId -> Bool
+wrapsAround complex e = lastEdgeOf complex (edgeCorner complex e) == e
+
+-- | The stretch of a corner that goes on over the end of the half turn.
+lastEdgeOf :: Complex -> CornerId -> EdgeId
+lastEdgeOf complex (CornerId c) = EdgeId (at (lastStretches complex) c)
+
+-- | Where the segments of a face lie at a corner whose curve bounds it: above or below the line, and on which part of
+-- it. Where nothing cuts the line on a flank, the face there is on both parts.
+data Quarter = AboveBack | AboveFront | BelowBack | BelowFront
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The face on a quarter of a stretch, as it is where the stretch begins. 'Nothing' in the solid.
+faceAt :: Complex -> EdgeId -> Quarter -> Maybe FaceId
+faceAt complex (EdgeId e) quarter
+  | f < 0 = Nothing
+  | otherwise = Just (FaceId f)
+  where
+    f = at (stretchFaces complex) (4 * e + fromEnum quarter)
+{-# INLINE faceAt #-}
+
+-- | The faces on a flank of a stretch, from back to front: 2 and 1 where it is tangent, 1 and 1 where it is ending.
+edgeFacesOn :: Complex -> EdgeId -> Flank -> [FaceId]
+edgeFacesOn complex e flank = nub (catMaybes (map (faceAt complex e) quarters))
+  where
+    quarters = case flank of
+      Above -> [AboveBack, AboveFront]
+      Below -> [BelowBack, BelowFront]
+
+-- | All faces.
+faceIds :: Complex -> [FaceId]
+faceIds complex = map FaceId [0 .. faceTotal complex - 1]
+
+-- | The object at the back of a face's segments, as it is where the face begins.
+faceBack :: Complex -> FaceId -> Object
+faceBack complex (FaceId f) = faceObject complex (at (faceBacks complex) f)
+
+-- | The object at their front.
+faceFront :: Complex -> FaceId -> Object
+faceFront complex (FaceId f) = faceObject complex (at (faceFronts complex) f)
+
+faceObject :: Complex -> Int -> Object
+faceObject complex code
+  | code == skyCode (complexScene complex) = Sky
+  | otherwise = Side (SideId code)
+
+-- | The vertex where a face begins; 'Nothing' for the lines under the sky that miss everything.
+faceFirst :: Complex -> FaceId -> Maybe VertexId
+faceFirst complex (FaceId f) = vertexOrNone (at (faceFirsts complex) f)
+
+-- | The vertex where a face ends; it may be the same, half a turn later.
+faceLast :: Complex -> FaceId -> Maybe VertexId
+faceLast complex (FaceId f) = vertexOrNone (at (faceLasts complex) f)
+
+vertexOrNone :: Int -> Maybe VertexId
+vertexOrNone v = if v < 0 then Nothing else Just (VertexId v)
+
+-- | A chain of a face in the order of direction. The second part lies after the end of the half turn: there, stretches
+-- are read backwards, above being below. A stretch that goes on over the end is the last of the first part.
+data Chain = Chain ![EdgeId] ![EdgeId]
+  deriving (Eq, Show)
+
+-- | The stretches that bound a face from above, from its first vertex to its last one.
+upperChain :: Complex -> FaceId -> Chain
+upperChain complex (FaceId f) =
+  Chain (slice (entry upperStarts f) (entry upperTurns f)) (slice (entry upperTurns f) (entry lowerStarts f))
+  where
+    entry table = at (table complex)
+    slice from to = map (EdgeId . fromIntegral) (U.toList (U.slice from (to - from) (chains complex)))
+
+-- | The stretches that bound a face from below, from its first vertex to its last one. The chain of the lines that miss
+-- everything is closed: it goes around all corners in a full turn.
+lowerChain :: Complex -> FaceId -> Chain
+lowerChain complex (FaceId f) =
+  Chain (slice (entry lowerStarts f) (entry lowerTurns f)) (slice (entry lowerTurns f) (entry upperStarts (f + 1)))
+  where
+    entry table = at (table complex)
+    slice from to = map (EdgeId . fromIntegral) (U.toList (U.slice from (to - from) (chains complex)))
+
+-- | The faces with a given object at back or front, in the order of their ids. /Cost/ O(number of faces); see
+-- 'Visibility.Complex.Walk' for less.
+facesOfObject :: Complex -> Object -> [FaceId]
+facesOfObject complex object =
+  [f | f <- faceIds complex, faceBack complex f == object || faceFront complex f == object]

@@ -1,0 +1,223 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The faces around every corner while the direction turns: what a vertex does to them, in O(1) per incidence.
+--
+-- A cut is the state of the complex at one direction, or in one state of a topological sweep: for each corner its view
+-- and the faces on the four quarters around its line. All sweeps that know faces share this one handling of vertices.
+module Visibility.Sweep.Cut
+  ( -- * Cuts
+    Cut
+  , FaceKeeper (..)
+  , openCut
+  , cross
+    -- * What a cut says
+  , sightsNow
+  , quartersNow
+  , quarterTable
+    -- * Between pieces of work
+  , Frozen
+  , freeze
+  , thaw
+  ) where
+
+import Control.Monad (forM_, when)
+import Control.Monad.ST (ST)
+import Data.Int (Int32)
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Law (broken)
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (skyCode, solid)
+import Visibility.Sweep.Sights
+
+-- Note [Faces at a vertex]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~
+-- Turn the line of a vertex a little. Between two of its corners' curves the line is cut into free pieces, each with its
+-- label. One line meets a side at most once, and then sees it from its free flank; so among the pieces of one line an
+-- object is at the back of at most one. Going down from above all curves to below them, a face is therefore known by the
+-- object at its back, as long as it lasts: a curve that bounds it from below ends it, one that bounds a piece from above
+-- begins another.
+--
+-- Just before the vertex the corners lie from top to bottom in the reverse of their order along the line. A face that
+-- ends there without having begun lies above all curves: it goes on past the vertex. One that begins and does not end
+-- lies below all: it goes on too. One that begins and ends is closed by the vertex. Just after the vertex the corners lie
+-- from top to bottom in their order; what begins and ends now is opened by the vertex, and everything else is one of the
+-- faces that go on, of the same label. A face can be opened and closed by no single vertex, so each has an interior.
+
+-- | What is seen from the corners, the faces on the quarters around them, and three tables by object that are empty
+-- between vertices: faces above the vertex at hand, faces below it, and quarters whose face is not known yet.
+data Cut v = Cut
+  { cutSights :: !(Sights v)
+  , cutQuarters :: !v
+  , facesAbove :: !v
+  , facesBelow :: !v
+  , unsettled :: !v
+  }
+
+instance Functor Cut where
+  fmap f (Cut a b c d e) = Cut (fmap f a) (f b) (f c) (f d) (f e)
+
+instance Foldable Cut where
+  foldMap f (Cut a b c d e) = foldMap f a <> f b <> f c <> f d <> f e
+
+instance Traversable Cut where
+  traverse f (Cut a b c d e) = Cut <$> traverse f a <*> f b <*> f c <*> f d <*> f e
+
+-- | A cut that does not change.
+type Frozen = Cut (U.Vector Int32)
+
+-- | /Cost/ O(n).
+freeze :: Cut (M.MVector s Int32) -> ST s Frozen
+freeze = traverse U.freeze
+
+-- | /Cost/ O(n).
+thaw :: Frozen -> ST s (Cut (M.MVector s Int32))
+thaw = traverse U.thaw
+
+-- | What is to be done when a face is opened, with the objects at its back and front, and when it is closed. An open face
+-- has a number of the keeper's choice, at least 0.
+data FaceKeeper s = FaceKeeper
+  { opened :: Int -> Int -> ST s Int
+  , closed :: Int -> ST s ()
+  }
+
+-- | The cut just above −90°. Under the sky the lines that miss everything are opened first.
+--
+-- /Cost/ O(n log n).
+openCut :: Scene -> FaceKeeper s -> ST s (Cut (M.MVector s Int32))
+openCut scene keeper = do
+  sights <- traverse U.thaw (startSights scene)
+  let n = cornerCount scene
+      table size = M.replicate size (-1)
+  cut <- Cut sights <$> table (4 * n) <*> table (n + 1) <*> table (n + 1) <*> table (n + 1)
+  when (surroundings scene == OpenSky) $ do
+    outer <- opened keeper (skyCode scene) (skyCode scene)
+    M.write (facesAbove cut) (skyCode scene) (fromIntegral outer)
+    M.write (facesBelow cut) (skyCode scene) (fromIntegral outer)
+  settle scene keeper cut [n - 1, n - 2 .. 0]
+  pure cut
+{-# INLINE openCut #-}
+
+-- | Turns the cut through a vertex.
+--
+-- /Requires/ vertices in an order in which each corner's vertices come by increasing direction.
+-- /Cost/ O(1) per incidence of the vertex with a face.
+cross :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Vertex -> ST s ()
+cross scene keeper cut vertex = do
+  leave scene keeper cut (reverse line)
+  turnThrough scene (cutSights cut) vertex
+  settle scene keeper cut line
+  where
+    line = [c | CornerId c <- vertexCorners vertex]
+{-# INLINE cross #-}
+
+-- | Back and front object of a corner, and 1 where the following corner lies above its line.
+sightsNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int)
+sightsNow cut c = do
+  b <- M.read (backOf (cutSights cut)) c
+  f <- M.read (frontOf (cutSights cut)) c
+  up <- M.read (nextAbove (cutSights cut)) c
+  pure (fromIntegral b, fromIntegral f, fromIntegral up)
+{-# INLINE sightsNow #-}
+
+-- | The faces on the quarters of a corner, −1 in the solid: above at the back, above in front, below at the back, below in
+-- front.
+quartersNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int, Int)
+quartersNow cut c = (,,,) <$> quarter 0 <*> quarter 1 <*> quarter 2 <*> quarter 3
+  where
+    quarter k = fromIntegral <$> M.read (cutQuarters cut) (4 * c + k)
+{-# INLINE quartersNow #-}
+
+-- | The faces on the quarters of all corners, four each, as in 'quartersNow'.
+quarterTable :: Cut v -> v
+quarterTable = cutQuarters
+
+-- | Where a face lies at a corner: on one quarter, or on both of a flank.
+data Place = One !Int | Both !Int
+
+-- | Goes through the faces at a corner, first those above its line, then those below it; each with its place and the
+-- objects at its back and front.
+incident
+  :: Scene
+  -> Cut (M.MVector s Int32)
+  -> Int
+  -> (Place -> Int -> Int -> ST s ())
+  -> (Place -> Int -> Int -> ST s ())
+  -> ST s ()
+incident scene cut !c above below = do
+  (!b, !f, !up) <- sightsNow cut c
+  let !arriving = let CornerId p = previousCorner scene (CornerId c) in p
+      !q = 4 * c
+  if b /= solid
+    then
+      if f /= solid
+        then
+          if up == 1
+            then above (One q) b arriving >> above (One (q + 1)) c f >> below (Both (q + 2)) b f
+            else above (Both q) b f >> below (One (q + 2)) b c >> below (One (q + 3)) arriving f
+        else above (One q) b arriving >> below (One (q + 2)) b c
+    else
+      if f /= solid
+        then above (One (q + 1)) c f >> below (One (q + 3)) arriving f
+        else if up == 1 then above (Both q) c arriving else below (Both (q + 2)) arriving c
+{-# INLINE incident #-}
+
+firstQuarter :: Place -> Int
+firstQuarter (One q) = q
+firstQuarter (Both q) = q
+{-# INLINE firstQuarter #-}
+
+-- | Takes the corners of a vertex, from top to bottom, out of the faces around them: closes those that end here, and
+-- leaves those that go on in 'facesAbove' and 'facesBelow'.
+leave :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [Int] -> ST s ()
+leave scene keeper cut line = forM_ line $ \c -> do
+  incident scene cut c above below
+  forM_ [4 * c .. 4 * c + 3] $ \q -> M.write (cutQuarters cut) q (-1)
+  where
+    above place b _ = do
+      face <- M.read (cutQuarters cut) (firstQuarter place)
+      begun <- M.read (facesBelow cut) b
+      if begun == face
+        then M.write (facesBelow cut) b (-1) >> closed keeper (fromIntegral face)
+        else M.write (facesAbove cut) b face
+    below place b _ = M.read (cutQuarters cut) (firstQuarter place) >>= M.write (facesBelow cut) b
+{-# INLINE leave #-}
+
+-- | Finds the faces around the corners of a vertex, from top to bottom, just after it: opens those that begin here, and
+-- takes all others from 'facesAbove' and 'facesBelow'.
+settle :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [Int] -> ST s ()
+settle scene keeper cut line = do
+  forM_ line $ \c -> incident scene cut c above below
+  forM_ line $ \c -> incident scene cut c (\_ _ _ -> pure ()) remaining
+  where
+    above place b f = do
+      waiting <- M.read (unsettled cut) b
+      face <-
+        if waiting >= 0
+          then do
+            M.write (unsettled cut) b (-1)
+            face <- fromIntegral <$> opened keeper b f
+            put (decoded waiting) face
+            pure face
+          else taken (facesAbove cut) b
+      put place face
+    below place b _ = M.write (unsettled cut) b (encoded place)
+    remaining place b _ = do
+      waiting <- M.read (unsettled cut) b
+      when (waiting == encoded place) $ do
+        M.write (unsettled cut) b (-1)
+        taken (facesBelow cut) b >>= put place
+    put (One q) face = M.write (cutQuarters cut) q face
+    put (Both q) face = M.write (cutQuarters cut) q face >> M.write (cutQuarters cut) (q + 1) face
+    taken table b = do
+      face <- M.read table b
+      when (face < 0) $ broken "a face that goes on past a vertex was there before it" (show (line, b))
+      M.write table b (-1)
+      pure face
+    encoded (One q) = fromIntegral (2 * q) :: Int32
+    encoded (Both q) = fromIntegral (2 * q + 1)
+    decoded code =
+      let q = fromIntegral (code `div` 2)
+       in if even code then One q else Both q
+{-# INLINE settle #-}

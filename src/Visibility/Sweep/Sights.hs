@@ -1,0 +1,70 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | What every corner sees along the line through it while the direction turns: tables that a vertex changes in O(1) per
+-- elementary pair.
+--
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this
+-- project.
+module Visibility.Sweep.Sights
+  ( Sights (..)
+  , Changing
+  , startSights
+  , turnThrough
+  ) where
+
+import Control.Monad (forM_, when)
+import Control.Monad.ST (ST)
+import Data.Int (Int32)
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Exact.Predicate
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (Heading (..), Vertical (..), solid, verticalSweep)
+
+-- | By corner: the objects in front and at the back of it, and 1 where the following corner of its polygon lies above
+-- its line.
+data Sights v = Sights {frontOf :: !v, backOf :: !v, nextAbove :: !v}
+
+instance Functor Sights where
+  fmap f (Sights a b c) = Sights (f a) (f b) (f c)
+
+instance Foldable Sights where
+  foldMap f (Sights a b c) = f a <> f b <> f c
+
+instance Traversable Sights where
+  traverse f (Sights a b c) = Sights <$> f a <*> f b <*> f c
+
+-- | Tables that are being changed.
+type Changing s = Sights (M.MVector s Int32)
+
+-- | What is seen along the vertical, at the start of the half turn. /Cost/ O(n log n).
+startSights :: Scene -> Sights (U.Vector Int32)
+startSights scene =
+  Sights
+    (U.map fromIntegral (floors (verticalSweep scene Rightward)))
+    (U.map fromIntegral (floors (verticalSweep scene Leftward)))
+    (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in if q > p then 1 else 0))
+  where
+    n = cornerCount scene
+
+-- | Turns the lines of a vertex's corners through it.
+turnThrough :: Scene -> Changing s -> Vertex -> ST s ()
+turnThrough scene sights vertex = do
+  forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing p q (frontOf sights)
+  forM_ pairs $ \(CornerId p, CornerId q) -> do
+    landing q p (backOf sights)
+    when (following p == q) (M.modify (nextAbove sights) (1 -) p)
+    when (following q == p) (M.modify (nextAbove sights) (1 -) q)
+  where
+    pairs = vertexPairs vertex
+    following p = let CornerId q = nextCorner scene (CornerId p) in q
+    preceding p = let CornerId q = previousCorner scene (CornerId p) in q
+
+    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
+    -- obstacle, a side of q that stands in the way, or what q sees itself.
+    landing !p !q objects
+      | following p == q, preceding p /= q = M.write objects p (fromIntegral solid)
+      | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn =
+          M.write objects p (fromIntegral (preceding q))
+      | otherwise = M.read objects q >>= M.write objects p
