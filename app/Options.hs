@@ -8,19 +8,24 @@ module Options
   , GraphOptions (..)
   , LineOrder (..)
   , FactorOptions (..)
+  , ViewOptions (..)
+  , From (..)
   , DrawOptions (..)
   , Figure (..)
   , GenerateOptions (..)
   ) where
 
-import Control.Applicative (optional, (<**>))
+import Control.Applicative (optional, (<**>), (<|>))
 import Data.Char (isDigit)
 import Data.List (intercalate)
+import Data.Ratio (denominator, numerator)
 import qualified Data.Text as Text
 import Options.Applicative
   ( InfoMod
+  , ParseError (ErrorMsg)
   , Parser
   , ParserInfo
+  , ParserResult (Failure)
   , ReadM
   , argument
   , command
@@ -29,6 +34,7 @@ import Options.Applicative
   , flag
   , footerDoc
   , fullDesc
+  , handleParseResult
   , header
   , help
   , helper
@@ -38,8 +44,10 @@ import Options.Applicative
   , long
   , metavar
   , option
+  , parserFailure
   , prefs
   , progDesc
+  , readerError
   , short
   , showDefaultWith
   , showHelpOnEmpty
@@ -49,17 +57,24 @@ import Options.Applicative
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Text.Read (readMaybe)
-import Visibility.Exact.Point (Arithmetic (..))
+import Visibility.Exact.Point (Arithmetic (..), Point (..))
+import Visibility.Exact.Predicate (Direction (..), primitive)
 import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
 import Visibility.Format.Factors (Detail (..), FactorFormat (..))
 import Visibility.Format.Graph (PairSelection (..))
+import Visibility.Format.Number (readNumber)
+import Visibility.Scene (CornerName (..), PolygonId, SideName (..), readCornerName)
 import Visibility.Scene.Family
+import Visibility.Sweep (Scheduler (..))
 
 -- | A command with its options.
 data Command
   = Info !Common
   | Graph !Common !GraphOptions
   | Factors !Common !FactorOptions
+  | Complex !Common
+  | Verify !Common
+  | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
 
@@ -67,6 +82,7 @@ data Command
 data Common = Common
   { sceneFile :: !FilePath
   , arithmeticChoice :: !Arithmetic
+  , schedulerChoice :: !Scheduler
   }
 
 -- | Which lines of the graph, in which order.
@@ -88,8 +104,20 @@ data DrawOptions = DrawOptions
   , figureFile :: !(Maybe FilePath)
   }
 
-data Figure = SceneFigure | DualFigure
-  deriving (Eq, Ord, Show, Enum, Bounded)
+data Figure = SceneFigure | DualFigure | ViewFigure !From
+
+-- | Whose view is asked for.
+data From
+  = -- | A point, with the normal of an element there.
+    FromPoint !Point !(Maybe Direction)
+  | FromCorner !CornerName !(Maybe Direction)
+  | FromSide !SideName
+
+data ViewOptions = ViewOptions
+  { viewFrom :: !From
+  , viewDigits :: !Digits
+  , viewDetail :: !Detail
+  }
 
 data GenerateOptions = GenerateOptions
   { generatedFamily :: !Family
@@ -99,9 +127,13 @@ data GenerateOptions = GenerateOptions
 
 -- | Reads the arguments; a mistake in them ends the program with exit code 1 and a hint.
 readCommand :: IO Command
-readCommand = customExecParser (prefs showHelpOnEmpty) whole
+readCommand = customExecParser preferences whole >>= either mistaken pure
+  where
+    preferences = prefs showHelpOnEmpty
+    mistaken message = handleParseResult (Failure (parserFailure preferences whole (ErrorMsg message) []))
 
-whole :: ParserInfo Command
+-- | A command, or a mistake that shows only when its arguments are looked at together.
+whole :: ParserInfo (Either String Command)
 whole =
   info
     (commands <**> version <**> helper)
@@ -114,28 +146,33 @@ whole =
           [ ("a scene to try things on", "viscomplex generate random --size 10 > ten.json")
           , ("how big is its complex?", "viscomplex info ten.json")
           , ("who sees whom", "viscomplex graph ten.json")
+          , ("what is seen from a corner", "viscomplex view ten.json --corner 3.0")
           , ("form factors with 30 correct digits", "viscomplex factors ten.json --digits 30")
           , ("pictures", "viscomplex draw scene ten.json -o ten.svg\nviscomplex draw dual ten.json -o ten-dual.svg")
           , ("from another program", "viscomplex generate grid --size 9 | viscomplex graph -")
           ]
           "Exit codes: 0 done, 1 wrong usage, 2 unreadable file, 3 not parseable, 4 invalid scene,\n\
-          \70 broken internal law.\n\
+          \5 a check found a difference, 70 broken internal law.\n\
           \'viscomplex COMMAND --help' explains a command."
     )
   where
     version = infoOption "viscomplex 0.1.0.0" (long "version" <> help "Print the version.")
 
-commands :: Parser Command
+commands :: Parser (Either String Command)
 commands =
   hsubparser
-    ( command "info" (info (Info <$> common) infoHelp)
-        <> command "graph" (info (Graph <$> common <*> graphOptions) graphHelp)
-        <> command "factors" (info (Factors <$> common <*> factorOptions) factorsHelp)
+    ( command "info" (info (right (Info <$> common)) infoHelp)
+        <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
+        <> command "factors" (info (right (Factors <$> common <*> factorOptions)) factorsHelp)
+        <> command "complex" (info (right (Complex <$> common)) complexHelp)
+        <> command "view" (info (right (View <$> common <*> viewOptions)) viewHelp)
+        <> command "verify" (info (right (Verify <$> common)) verifyHelp)
         <> command "draw" (info drawCommand drawHelp)
-        <> command "generate" (info (Generate <$> generateOptions) generateHelp)
+        <> command "generate" (info (right (Generate <$> generateOptions)) generateHelp)
     )
   where
-    drawCommand = (\f c file -> Draw c (DrawOptions f file)) <$> figureArgument <*> common <*> figureOption
+    right = fmap Right
+    drawCommand = (\f c file -> Draw c . (`DrawOptions` file) <$> f) <$> figureKind <*> common <*> figureOption
     infoHelp =
       progDesc "Count what the scene and its visibility complex consist of."
         <> examples [("a file", "viscomplex info scenes/grid.json")] ""
@@ -159,11 +196,38 @@ commands =
           , ("the exact sums of roots", "viscomplex factors scenes/two-squares.json --format json --exact")
           ]
           ""
+    complexHelp =
+      progDesc
+        "Print the whole visibility complex as JSON: corners, vertices, edges, faces and their incidences, in an order \
+        \that depends on the scene only."
+        <> examples
+          [ ("all of it", "viscomplex complex scenes/room.json > room-complex.json")
+          , ("the faces, with jq", "viscomplex complex scenes/room.json | jq -c '.faces[]'")
+          ]
+          ""
+    viewHelp =
+      progDesc
+        "Print what is seen from a point, a corner or a side, as JSON: the visibility polygon, or with --normal the \
+        \form factors of a small element there; of a side, all sides that it sees with their form factors. Exact."
+        <> examples
+          [ ("the visibility polygon of a point", "viscomplex view scenes/room.json --from 1/2,3")
+          , ("negative coordinates need the equals sign", "viscomplex view scenes/two-squares.json --from=-1,1/2")
+          , ("of a corner", "viscomplex view scenes/room.json --corner 0.1")
+          , ("an element that faces upwards", "viscomplex view scenes/room.json --from 1/2,3 --normal 0,1")
+          , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
+          ]
+          ""
+    verifyHelp =
+      progDesc
+        "Build the complex and decide every one of its laws, exactly: one line each. Ends with exit code 5 if one does \
+        \not hold."
+        <> examples [("a file", "viscomplex verify scenes/grid.json")] ""
     drawHelp =
       progDesc "Draw a figure as SVG."
         <> examples
           [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
           , ("its dual: lines as points", "viscomplex draw dual scenes/room.json -o room-dual.svg")
+          , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
           ]
           ""
     generateHelp =
@@ -183,7 +247,7 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
     ending = if null more then [] else empty : map text (lines more)
 
 common :: Parser Common
-common = Common <$> scene <*> arithmetic <* scheduler
+common = Common <$> scene <*> arithmetic <*> scheduler
   where
     scene = argument str (metavar "SCENE" <> help "A scene file (JSON), or - for standard input.")
     arithmetic =
@@ -197,12 +261,12 @@ common = Common <$> scene <*> arithmetic <* scheduler
         )
     scheduler =
       option
-        (oneOf [("topological", ())])
+        (oneOf [("topological", Topological), ("straight", Straight)])
         ( long "scheduler"
-            <> metavar "topological"
-            <> value ()
+            <> metavar "topological|straight"
+            <> value Topological
             <> showDefaultWith (const "topological")
-            <> help "The order in which vertices are swept; the result does not depend on it."
+            <> help "The order in which vertices are swept: any legal one, or by direction. The result is the same."
         )
 
 graphOptions :: Parser GraphOptions
@@ -228,30 +292,89 @@ factorOptions =
           <> showDefaultWith (const "csv")
           <> help "Output format."
       )
-    <*> option
-      significant
-      ( long "digits"
-          <> metavar "N"
-          <> value defaultDigits
-          <> showDefaultWith (show . digitCount)
-          <> help "Significant digits, at least 1, correctly rounded."
-      )
-    <*> flag
-      DecimalsOnly
-      WithExactMeasures
-      (long "exact" <> help "Also print the measure 2 L F of each factor, as an exact sum of square roots.")
+    <*> digitsOption
+    <*> detailOption
+
+digitsOption :: Parser Digits
+digitsOption =
+  option
+    significant
+    ( long "digits"
+        <> metavar "N"
+        <> value defaultDigits
+        <> showDefaultWith (show . digitCount)
+        <> help "Significant digits of form factors, at least 1, correctly rounded."
+    )
   where
     significant = eitherReader $ \word -> do
       count <- fromInteger <$> wholeNumber "digits" 1 1000000 word
       maybe (Left "give 1 digit or more") Right (digits count)
 
-figureArgument :: Parser Figure
-figureArgument =
-  argument
-    (oneOf [("scene", SceneFigure), ("dual", DualFigure)])
-    ( metavar "FIGURE"
-        <> help "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves."
-    )
+detailOption :: Parser Detail
+detailOption =
+  flag
+    DecimalsOnly
+    WithExactMeasures
+    (long "exact" <> help "Also print form factors as exact sums of square roots.")
+
+viewOptions :: Parser ViewOptions
+viewOptions = ViewOptions <$> fromOption <*> digitsOption <*> detailOption
+
+-- | @--from@ or @--corner@, each with or without @--normal@, or @--side@.
+fromOption :: Parser From
+fromOption = point <|> corner <|> side
+  where
+    point = FromPoint . uncurry Point <$> option pairReader fromHelp <*> normal
+    corner = FromCorner <$> option (nameReader CornerName) cornerHelp <*> normal
+    side = FromSide <$> option (nameReader SideName) sideHelp
+    fromHelp = long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
+    cornerHelp = long "corner" <> metavar "P.K" <> help "A corner, such as 3.0 or E.2."
+    sideHelp = long "side" <> metavar "P.K" <> help "A side, such as 3.0 or E.2."
+    normal =
+      optional . option directionReader $
+        long "normal" <> metavar "DX,DY" <> help "Form factors of a small element there that faces this way."
+
+-- | Two exact numbers with a comma between them.
+pairReader :: ReadM (Rational, Rational)
+pairReader = eitherReader $ \word -> case break (== ',') word of
+  (x, ',' : y) -> (,) <$> number x <*> number y
+  _ -> Left (word <> " is not a pair such as 1/2,3")
+  where
+    number word = case readNumber (Text.pack word) of
+      Right q -> Right q
+      Left _ -> Left (show word <> " is not an exact number such as 2, -0.5, 1e-3 or 1/3")
+
+directionReader :: ReadM Direction
+directionReader = pairReader >>= direct
+  where
+    direct (0, 0) = readerError "the normal 0,0 has no direction"
+    direct (x, y) =
+      let scale = denominator x * denominator y
+       in pure (primitive (Direction (scaled scale x) (scaled scale y)))
+    scaled scale q = numerator q * (scale `div` denominator q)
+
+-- | The name of a corner or a side; both are spelled alike.
+nameReader :: (PolygonId -> Int -> a) -> ReadM a
+nameReader make = eitherReader $ \word -> case readCornerName word of
+  Just (CornerName polygon k) -> Right (make polygon k)
+  Nothing -> Left (word <> " is not a name such as 3.0 or E.2")
+
+-- | The figure, or why there is none of this kind.
+figureKind :: Parser (Either String Figure)
+figureKind = combined <$> figureName <*> optional fromOption
+  where
+    figureName =
+      argument
+        (oneOf [("scene", Just SceneFigure), ("dual", Just DualFigure), ("view", Nothing)])
+        ( metavar "FIGURE"
+            <> help
+              "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. view: what is \
+              \seen --from a point, a --corner or a --side."
+        )
+    combined (Just plain) Nothing = Right plain
+    combined (Just _) (Just _) = Left "--from, --corner and --side are for the figure view"
+    combined Nothing (Just from) = Right (ViewFigure from)
+    combined Nothing Nothing = Left "draw view needs --from X,Y, --corner P.K or --side P.S"
 
 figureOption :: Parser (Maybe FilePath)
 figureOption =

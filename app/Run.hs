@@ -31,7 +31,7 @@ import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Json (readRawSceneFile, sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
-import Visibility.Sweep (Vertex, vertices)
+import Visibility.Sweep (Vertex, verticesBy)
 
 -- | Ends the program with exit code 70 and the law's name where a law breaks.
 guarded :: IO () -> IO ()
@@ -68,9 +68,9 @@ broken exception
   | isJust (fromException exception :: Maybe SomeAsyncException) = Nothing
   | otherwise = Just exception
 
--- | Works on the vertices of a scene while they are swept, showing progress.
-sweeping :: Scene -> ([Vertex] -> IO a) -> IO a
-sweeping scene = withProgress "vertices swept" (vertices scene)
+-- | Works on the vertices of a scene while they are swept by the scheduler asked for, showing progress.
+sweeping :: Common -> Scene -> ([Vertex] -> IO a) -> IO a
+sweeping common scene = withProgress "vertices swept" (verticesBy (schedulerChoice common) scene)
 
 -- | Writes messages to standard error, a line or more each.
 complain :: [String] -> IO ()

@@ -14,7 +14,7 @@ import Visibility.View (events)
 -- | Draws a figure as SVG.
 runDraw :: Common -> DrawOptions -> IO ()
 runDraw common options = withScene common $ \scene ->
-  sweeping scene $ \swept -> do
+  sweeping common scene $ \swept -> do
     let drawing = case figure options of
           SceneFigure -> sceneDrawing scene swept
           DualFigure -> dualDrawing scene (events scene swept)

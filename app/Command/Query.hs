@@ -1,8 +1,9 @@
--- | Commands that ask what a scene's complex is: info, graph, factors.
+-- | Commands that ask what a scene's complex is: info, graph, factors, complex.
 module Command.Query
   ( runInfo
   , runGraph
   , runFactors
+  , runComplex
   ) where
 
 import Data.ByteString.Builder (stringUtf8)
@@ -10,8 +11,10 @@ import Options
 import Progress (withProgress)
 import Run (printed, streamed, sweeping, withScene)
 import System.CPUTime (getCPUTime)
+import Visibility.Complex (build)
 import Visibility.Count (count)
 import Visibility.FormFactor (formFactors, measures)
+import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (factorsDocument)
 import Visibility.Format.Graph (graphLines, selectedPairs, sortedGraphLines)
 import Visibility.Format.Info (infoText)
@@ -21,14 +24,14 @@ import Visibility.View (events)
 runInfo :: Common -> IO ()
 runInfo common = withScene common $ \scene -> do
   begun <- getCPUTime
-  counts <- sweeping scene (\swept -> pure $! count scene (events scene swept))
+  counts <- sweeping common scene (\swept -> pure $! count scene (events scene swept))
   ended <- getCPUTime
-  printed (stringUtf8 (infoText scene counts (fromInteger (ended - begun) / 1e12)))
+  printed (stringUtf8 (infoText scene (schedulerChoice common) counts (fromInteger (ended - begun) / 1e12)))
 
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()
 runGraph common options = withScene common $ \scene ->
-  sweeping scene $ \swept -> do
+  sweeping common scene $ \swept -> do
     let pairs = selectedPairs scene (pairSelection options) swept
     case lineOrder options of
       ByName -> printed (sortedGraphLines scene pairs)
@@ -37,6 +40,11 @@ runGraph common options = withScene common $ \scene ->
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
-  sums <- sweeping scene (\swept -> pure $! measures scene (events scene swept))
+  sums <- sweeping common scene (\swept -> pure $! measures scene (events scene swept))
   withProgress "form factors written" (formFactors scene sums) $
     printed . factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene
+
+-- | The whole complex.
+runComplex :: Common -> IO ()
+runComplex common = withScene common $ \scene ->
+  sweeping common scene (printed . complexDocument . build scene)

@@ -1,7 +1,7 @@
 -- | The visibility complex of a scene as a value: vertices, edges and faces with their incidences.
 --
--- A complex is made by 'build' from the vertices of any sweep, which number it; 'complexOf' numbers it canonically, as a
--- function of the scene alone. Where the half turn begins, nothing is cut: an edge and a face that go on there are one.
+-- A complex is made by 'build' from the vertices of any sweep, which number it; "Visibility.Complex.Canonical" numbers it
+-- as a function of the scene alone. Where the half turn begins, nothing is cut: an edge and a face that go on there are one.
 --
 -- In a scene in general position, a vertex has four edges, and six faces where the line is tangent at both corners, five where
 -- it is tangent at one, four where it ends at both. A tangent edge has three faces, an ending edge two. Vertices with any
@@ -59,10 +59,8 @@ module Visibility.Complex
 import Visibility.Complex.Build
 import Visibility.Complex.Type
 import Visibility.Scene (Scene)
-import Visibility.Sweep (canonicalOrder, vertices)
+import Visibility.Sweep (vertices)
 
--- | The complex of a scene, its vertices numbered by direction, then by offset, then along the line.
---
--- /Cost/ O(n log n + m log m).
+-- | The complex of a scene, numbered as the topological sweep goes. /Cost/ O(n log n + m).
 complexOf :: Scene -> Complex
-complexOf scene = build scene (canonicalOrder scene (vertices scene))
+complexOf scene = build scene (vertices scene)

@@ -21,7 +21,6 @@ module Visibility.Sweep
   , isDegenerate
   , fromCorners
   , compareVertices
-  , canonicalOrder
     -- * Either sweep
   , Scheduler (..)
   , verticesBy
@@ -40,7 +39,6 @@ module Visibility.Sweep
   , bruteForce
   ) where
 
-import Data.List (sortBy)
 import Visibility.Scene (Scene)
 import Visibility.Sweep.BruteForce
 import Visibility.Sweep.Straight
@@ -59,7 +57,3 @@ data Scheduler
 verticesBy :: Scheduler -> Scene -> [Vertex]
 verticesBy Topological = vertices
 verticesBy Straight = straightVertices
-
--- | Vertices in their canonical order, see 'compareVertices'.
-canonicalOrder :: Scene -> [Vertex] -> [Vertex]
-canonicalOrder scene = sortBy (compareVertices scene)

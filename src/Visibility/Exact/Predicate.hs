@@ -19,6 +19,7 @@ module Visibility.Exact.Predicate
   , directionTurn
   , compareDirections
   , upwards
+  , primitive
   ) where
 
 import Data.Int (Int32, Int64)
@@ -162,3 +163,7 @@ compareDirections a b = case directionTurn a b of
 -- | 90°, the last direction of the half turn.
 upwards :: Direction
 upwards = Direction 0 1
+
+-- | The same direction in lowest terms.
+primitive :: Direction -> Direction
+primitive (Direction x y) = let g = max 1 (gcd x y) in Direction (x `quot` g) (y `quot` g)

@@ -9,10 +9,11 @@ import Visibility.Count
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Point
 import Visibility.Scene
+import Visibility.Sweep (Scheduler (..))
 
 -- | A line for each size. The last argument is the seconds of processor time that the sweep took.
-infoText :: Scene -> Counts -> Double -> String
-infoText scene counts seconds =
+infoText :: Scene -> Scheduler -> Counts -> Double -> String
+infoText scene scheduler counts seconds =
   unlines
     [ padded name <> value
     | (name, value) <-
@@ -25,13 +26,17 @@ infoText scene counts seconds =
              , ("elementary visible pairs", show (pairCount counts))
              , ("edges", show (edgeCount counts))
              , ("faces", show (faceCount counts))
-             , ("scheduler", "topological")
+             , ("scheduler", schedulerText scheduler)
              , ("arithmetic", arithmeticText scene)
              , ("time", showFFloat (Just 3) seconds " s")
              ]
     ]
   where
     padded name = name <> replicate (26 - length name) ' '
+
+schedulerText :: Scheduler -> String
+schedulerText Topological = "topological"
+schedulerText Straight = "straight"
 
 -- | The arithmetic, and what it comes to for this scene.
 arithmeticText :: Scene -> String

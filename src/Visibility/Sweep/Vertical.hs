@@ -17,6 +17,12 @@ module Visibility.Sweep.Vertical
     -- * The plane sweep
   , Vertical (..)
   , verticalSweep
+    -- * Its states
+  , Crossing (..)
+  , freeAbove
+  , freeBelow
+  , beyondAll
+  , slabs
   ) where
 
 import qualified Data.IntMap.Strict as IntMap
@@ -25,6 +31,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Set.Internal as Set (link, merge)
+import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Law (broken)
 import Visibility.Exact.Predicate
@@ -73,8 +80,30 @@ data Vertical = Vertical
   }
   deriving (Eq, Show)
 
--- | A status side, from its end that comes first by the heading to the other.
+-- | A side that crosses the vertical, from its end that comes first by the heading to the other. Both sides of a thin wall
+-- are one crossing.
 data Crossing = Crossing !Int !Int
+
+-- | The side of a crossing that is free above it, or 'solid'.
+--
+-- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it above. A
+-- thin wall has a side of each kind.
+freeAbove :: Scene -> Crossing -> Int
+freeAbove scene (Crossing a b) = if following scene b == a then b else solid
+
+-- | The side of a crossing that is free below it, or 'solid'.
+freeBelow :: Scene -> Crossing -> Int
+freeBelow scene (Crossing a b) = if following scene a == b then a else solid
+
+following :: Scene -> Int -> Int
+following scene p = let CornerId q = nextCorner scene (CornerId p) in q
+{-# INLINE following #-}
+
+-- | What lies above and below all crossings: the sky, or 'solid' in a room.
+beyondAll :: Scene -> Int
+beyondAll scene = case surroundings scene of
+  OpenSky -> skyCode scene
+  Room -> solid
 
 -- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for
 -- each floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
@@ -87,39 +116,48 @@ data Status = Status !(Set Crossing) !(IntMap.IntMap [Int])
 -- | What the plane sweep finds at a corner: floor, ceiling and first target.
 data Row = Row !Int !Int !Int
 
--- | Visits the corners against the heading and keeps the sides that cross the vertical.
+-- | The situation at the start of the half turn, for all corners.
 --
--- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
--- with p on a chain stay, so that the first target is the nearest.
---
--- /Cost/ O(n log n) for the status, O(n) for the chains.
+-- /Cost/ O(n log n) time, O(n) memory.
 --
 -- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
 verticalSweep :: Scene -> Heading -> Vertical
 verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (column targetOf)
   where
     n = cornerCount scene
-    sky = skyCode scene
-    rows = visit (Status Set.empty (IntMap.singleton sky [])) (reverse (along heading n))
+    rows = [(p, row) | (p, row, _) <- visits scene heading]
     column part = U.replicate n solid U.// [(p, part row) | (p, row) <- rows]
     floorOf (Row x _ _) = x
     ceilingOf (Row _ x _) = x
     targetOf (Row _ _ x) = x
 
-    visit _ [] = []
-    visit status (p : rest) = let (row, status') = meet status p in row `seq` (p, row) : visit status' rest
+-- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k, from
+-- before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below a point.
+--
+-- /Cost/ O(n log n) time and memory: the sets share most of their nodes.
+slabs :: Scene -> V.Vector (Set Crossing)
+slabs scene = V.reverse (V.fromListN (cornerCount scene + 1) (Set.empty : [s | (_, _, s) <- visits scene Rightward]))
 
-    next p = let CornerId q = nextCorner scene (CornerId p) in q
+-- | Visits the corners against the heading and keeps the sides that cross the vertical: each corner with what is found
+-- there, and the sides that cross the vertical after it.
+--
+-- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
+-- with p on a chain stay, so that the first target is the nearest.
+--
+-- /Cost/ O(n log n) for the status, O(n) for the chains.
+visits :: Scene -> Heading -> [(Int, Row, Set Crossing)]
+visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (reverse (along heading (cornerCount scene)))
+  where
+    sky = skyCode scene
+    beyond = beyondAll scene
+    visit _ [] = []
+    visit status (p : rest) =
+      let (row, status'@(Status crossing _)) = meet status p
+       in row `seq` crossing `seq` (p, row, crossing) : visit status' rest
+
+    next = following scene
     previous p = let CornerId q = previousCorner scene (CornerId p) in q
     turnOf = turn (scenePoints scene)
-    beyond = case surroundings scene of
-      OpenSky -> sky
-      Room -> solid
-
-    -- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it
-    -- above. A thin wall has a side of each kind.
-    freeAbove (Crossing a b) = if next b == a then b else solid
-    freeBelow (Crossing a b) = if next a == b then a else solid
 
     meet (Status crossing chains) p
       | length leaving /= Set.size ending = broken "status of the plane sweep" ("at corner " <> show p)
@@ -136,8 +174,8 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
         crossing' = case arriving of
           [] -> Set.merge below above
           side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
-        floorSide = maybe beyond freeAbove (Set.lookupMax below)
-        ceilingSide = maybe beyond freeBelow (Set.lookupMin above)
+        floorSide = maybe beyond (freeAbove scene) (Set.lookupMax below)
+        ceilingSide = maybe beyond (freeBelow scene) (Set.lookupMin above)
         chain = tangentChain p (IntMap.findWithDefault [] floorSide chains)
         target
           | floorSide == solid = fromMaybe solid (listToMaybe leaving)
@@ -146,10 +184,10 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
           | floorSide == solid = chains
           | otherwise = IntMap.insert floorSide (p : chain) chains
         chains' = foldl' begin (foldl' end extended leaving) arriving
-        end hull q = IntMap.delete (freeAbove (Crossing p q)) hull
+        end hull q = IntMap.delete (freeAbove scene (Crossing p q)) hull
         begin hull side
-          | freeAbove side == solid = hull
-          | otherwise = IntMap.insert (freeAbove side) [p] hull
+          | freeAbove scene side == solid = hull
+          | otherwise = IntMap.insert (freeAbove scene side) [p] hull
 
     -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
     tangentChain p (a : b : rest) | turnOf p a b == RightTurn = tangentChain p (b : rest)

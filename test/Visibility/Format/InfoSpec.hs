@@ -6,6 +6,7 @@ import Visibility.Count
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Info
 import Visibility.Scene
+import Visibility.Sweep (Scheduler (..))
 import Visibility.Test.Generator
 
 spec :: Spec
@@ -33,5 +34,5 @@ spec = describe "infoText" $ do
   where
     square = sampleScene <$> sampleOf [[(0, 0), (1, 0), (1, 1), (0, 1)]]
     huge = sampleScene <$> sampleOf [[(0, 0), (10 ^ (12 :: Int), 0), (1, 1)]]
-    told chosen scene = infoText (underArithmetic chosen scene) (Counts 1 2 3 4 5 6 7) 0.125
+    told chosen scene = infoText (underArithmetic chosen scene) Topological (Counts 1 2 3 4 5 6 7) 0.125
     arithmetic text = [drop 26 line | line <- lines text, "arithmetic" `isPrefixOf` line]
