@@ -3,7 +3,9 @@ module Main (main) where
 
 import Command.Draw (runDraw)
 import Command.Generate (runGenerate)
-import Command.Query (runFactors, runGraph, runInfo)
+import Command.Query (runComplex, runFactors, runGraph, runInfo)
+import Command.Verify (runVerify)
+import Command.View (runView)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options
 import Run (guarded)
@@ -16,5 +18,8 @@ main = do
     Info common -> runInfo common
     Graph common options -> runGraph common options
     Factors common options -> runFactors common options
+    Complex common -> runComplex common
+    View common options -> runView common options
+    Verify common -> runVerify common
     Draw common options -> runDraw common options
     Generate options -> runGenerate options

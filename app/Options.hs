@@ -16,9 +16,7 @@ module Options
   ) where
 
 import Control.Applicative (optional, (<**>), (<|>))
-import Data.Char (isDigit)
 import Data.List (intercalate)
-import Data.Ratio (denominator, numerator)
 import qualified Data.Text as Text
 import Options.Applicative
   ( InfoMod
@@ -47,7 +45,6 @@ import Options.Applicative
   , parserFailure
   , prefs
   , progDesc
-  , readerError
   , short
   , showDefaultWith
   , showHelpOnEmpty
@@ -56,14 +53,13 @@ import Options.Applicative
   , value
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
-import Text.Read (readMaybe)
+import Options.Reader
 import Visibility.Exact.Point (Arithmetic (..), Point (..))
-import Visibility.Exact.Predicate (Direction (..), primitive)
+import Visibility.Exact.Predicate (Direction)
 import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
 import Visibility.Format.Factors (Detail (..), FactorFormat (..))
 import Visibility.Format.Graph (PairSelection (..))
-import Visibility.Format.Number (readNumber)
-import Visibility.Scene (CornerName (..), PolygonId, SideName (..), readCornerName)
+import Visibility.Scene (CornerName (..), SideName (..))
 import Visibility.Scene.Family
 import Visibility.Sweep (Scheduler (..))
 
@@ -156,7 +152,7 @@ whole =
           \'viscomplex COMMAND --help' explains a command."
     )
   where
-    version = infoOption "viscomplex 0.1.0.0" (long "version" <> help "Print the version.")
+    version = infoOption "viscomplex 0.2.0.0" (long "version" <> help "Print the version.")
 
 commands :: Parser (Either String Command)
 commands =
@@ -334,31 +330,6 @@ fromOption = point <|> corner <|> side
       optional . option directionReader $
         long "normal" <> metavar "DX,DY" <> help "Form factors of a small element there that faces this way."
 
--- | Two exact numbers with a comma between them.
-pairReader :: ReadM (Rational, Rational)
-pairReader = eitherReader $ \word -> case break (== ',') word of
-  (x, ',' : y) -> (,) <$> number x <*> number y
-  _ -> Left (word <> " is not a pair such as 1/2,3")
-  where
-    number word = case readNumber (Text.pack word) of
-      Right q -> Right q
-      Left _ -> Left (show word <> " is not an exact number such as 2, -0.5, 1e-3 or 1/3")
-
-directionReader :: ReadM Direction
-directionReader = pairReader >>= direct
-  where
-    direct (0, 0) = readerError "the normal 0,0 has no direction"
-    direct (x, y) =
-      let scale = denominator x * denominator y
-       in pure (primitive (Direction (scaled scale x) (scaled scale y)))
-    scaled scale q = numerator q * (scale `div` denominator q)
-
--- | The name of a corner or a side; both are spelled alike.
-nameReader :: (PolygonId -> Int -> a) -> ReadM a
-nameReader make = eitherReader $ \word -> case readCornerName word of
-  Just (CornerName polygon k) -> Right (make polygon k)
-  Nothing -> Left (word <> " is not a name such as 3.0 or E.2")
-
 -- | The figure, or why there is none of this kind.
 figureKind :: Parser (Either String Figure)
 figureKind = combined <$> figureName <*> optional fromOption
@@ -401,15 +372,3 @@ sizeReader = eitherReader $ \word -> do
 
 familyLabel :: Family -> String
 familyLabel = Text.unpack . familyName
-
--- | One of some words; another one is answered with the list.
-oneOf :: [(String, a)] -> ReadM a
-oneOf choices = eitherReader $ \word -> case lookup word choices of
-  Just choice -> Right choice
-  Nothing -> Left (word <> " is none of: " <> intercalate ", " (map fst choices))
-
--- | A number in decimal digits, within bounds; the name is that of what is counted.
-wholeNumber :: String -> Integer -> Integer -> String -> Either String Integer
-wholeNumber name least greatest word = case readMaybe word of
-  Just n | not (null word), all isDigit word, least <= n, n <= greatest -> Right n
-  _ -> Left (name <> ": " <> show word <> " is not a whole number from " <> show least <> " to " <> show greatest)

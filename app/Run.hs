@@ -6,6 +6,8 @@ module Run
   , printed
   , streamed
   , written
+  , complain
+  , ends
   ) where
 
 import Control.Exception

@@ -1,14 +1,16 @@
--- | The ladder: the topological sweep on scenes of 2^7 to 2^14 corners of every family.
+-- | The ladder: the sweeps on scenes of 2^7 to 2^14 corners of every family.
 --
--- For each scene: time, allocation and chain steps per elementary visible pair, the best of several runs in this
--- process; and the time as a ratio to that at 2^8 corners. Arguments: names of families; none means all.
+-- For each scene: time, allocation and chain steps of the topological sweep per elementary visible pair, the best of
+-- several runs in this process; and the time as a ratio to that at 2^8 corners. Then, per vertex, the time of both
+-- schedulers and of all tables of the complex, the sweep included, as ratios to the topological sweep alone. Then views:
+-- walking in the complex against asking every side. Arguments: names of families; none means all.
 module Main (main) where
 
 import Control.Exception (evaluate)
 import Control.Monad (forM_, replicateM, unless, zipWithM)
 import Data.Foldable (traverse_)
 import Data.IORef (newIORef, readIORef)
-import Data.List (find, transpose)
+import Data.List (find, transpose, zip4)
 import Data.Maybe (isNothing, mapMaybe)
 import qualified Data.Text as Text
 import GHC.Stats (getRTSStats, getRTSStatsEnabled, allocated_bytes)
@@ -17,12 +19,13 @@ import System.CPUTime (getCPUTime)
 import System.Environment (getArgs)
 import System.Exit (die)
 import System.Mem (performGC)
+import Visibility.Complex (complexOf, faceIds)
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Law (broken)
 import Visibility.Scene (Scene, cornerCount)
 import Visibility.Scene.Family
 import Visibility.Scene.Validate (validate)
-import Visibility.Sweep (finish, pairsSwept, stepsTaken, vertices)
+import Visibility.Sweep (finish, pairsSwept, stepsTaken, straightVertices, vertices)
 import Visibility.View (events)
 
 main :: IO ()
@@ -40,6 +43,19 @@ main = do
     rungs <- zipWithM measured scenes times
     let base = find ((>= 250) . rungCorners) rungs
     traverse_ (putStrLn . rungText (Text.unpack (familyName kind)) base) rungs
+  putStrLn ""
+  putStrLn (row ["per vertex", "corners", "vertices", "topological", "straight", "ratio", "tables", "ratio"])
+  forM_ chosen $ \kind -> do
+    let scenes = map (sceneOf kind) (ladder kind)
+    stream <- bestTimes scenes (length . vertices)
+    straight <- bestTimes scenes (length . straightVertices)
+    tables <- bestTimes scenes (length . faceIds . complexOf)
+    forM_ (zip4 scenes stream straight tables) $ \(scene, a, b, c) -> do
+      let count = length (vertices scene)
+          each seconds = microseconds (seconds / fromIntegral count)
+          ratio x = showFFloat (Just 2) (x / a) ""
+          name = Text.unpack (familyName kind)
+      putStrLn (row [name, show (cornerCount scene), show count, each a, each b, ratio b, each c, ratio c])
   putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
   let scenes = map (sceneOf Random) [25, 100, 400]

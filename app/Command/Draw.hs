@@ -3,6 +3,7 @@ module Command.Draw
   ( runDraw
   ) where
 
+import Command.View (runDrawView)
 import Data.ByteString.Builder (lazyByteString)
 import Options
 import Run (sweeping, withScene, written)
@@ -13,9 +14,10 @@ import Visibility.View (events)
 
 -- | Draws a figure as SVG.
 runDraw :: Common -> DrawOptions -> IO ()
-runDraw common options = withScene common $ \scene ->
-  sweeping common scene $ \swept -> do
-    let drawing = case figure options of
-          SceneFigure -> sceneDrawing scene swept
-          DualFigure -> dualDrawing scene (events scene swept)
-    written (figureFile options) (lazyByteString (renderSvg drawing))
+runDraw common options = case figure options of
+  SceneFigure -> drawn sceneDrawing
+  DualFigure -> drawn (\scene swept -> dualDrawing scene (events scene swept))
+  ViewFigure from -> runDrawView common from (figureFile options)
+  where
+    drawn drawing = withScene common $ \scene ->
+      sweeping common scene (written (figureFile options) . lazyByteString . renderSvg . drawing scene)

@@ -29,6 +29,7 @@ module Visibility.Scene
     -- * Sides
   , sides
   , sideName
+  , sideNamed
   , sideStart
   , sideEnd
   , sideMaterial

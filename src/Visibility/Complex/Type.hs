@@ -45,7 +45,6 @@ module Visibility.Complex.Type
   , Chain (..)
   , upperChain
   , lowerChain
-  , facesOfObject
   ) where
 
 import Data.Int (Int32)
@@ -151,25 +150,24 @@ data Kind
 -- /Degenerate cases/ at a side the segment passes on where the corner is convex, flat, or an end of a thin wall, and ends
 -- where it is reflex; 'vertexBack' and 'vertexFront' tell.
 vertexKinds :: Complex -> VertexId -> [Kind]
-vertexKinds complex v = zipWith3 kind (True : map (const False) line) line ends
+vertexKinds complex v = zipWith kind line (Back : map (const Front) (drop 1 line))
   where
     scene = complexScene complex
-    line = map (edgeCorner complex) (vertexEdgesAfter complex v)
-    ends = drop 1 (map (const False) line) <> [True]
-    points = scenePoints scene
-    raw (CornerId c) = c
-    -- Another corner of the line, ahead of this one but for the last.
-    other c isLast = if isLast then (line !! 0, c) else (c, last line)
-    kind isFirst c isLast
+    vertex@(Vertex first _ _) = vertexAt complex v
+    line = vertexCorners vertex
+    -- The line goes on past a corner unless it enters the solid there, which it can do at its ends only.
+    kind c end
       | onNext == Collinear || onPrevious == Collinear = AlongSide
-      | onNext == onPrevious = TangentAt (if onNext == LeftTurn then Above else Below)
-      | isFirst && not (isTangent scene c (last line)) = EndingAt Back
-      | isLast && not (isTangent scene c (line !! 0)) = EndingAt Front
-      | otherwise = TangentAt (if onNext == LeftTurn then Above else Below)
+      | isTangent scene c other = TangentAt (if onNext == LeftTurn then Above else Below)
+      | otherwise = EndingAt end
       where
-        (p, q) = other c isLast
-        onNext = turn points (raw p) (raw q) (raw (nextCorner scene c))
-        onPrevious = turn points (raw p) (raw q) (raw (previousCorner scene c))
+        other = case end of
+          Back -> vertexLast vertex
+          Front -> first
+        onNext = sideOf (nextCorner scene c)
+        onPrevious = sideOf (previousCorner scene c)
+    sideOf (CornerId c) =
+      let (CornerId a, CornerId b) = (first, vertexLast vertex) in turn (scenePoints scene) a b c
 
 -- | What the maximal free segment of a vertex ends at backward, 'Nothing' where it ends at the first corner.
 vertexBack :: Complex -> VertexId -> Maybe Object
@@ -338,9 +336,3 @@ lowerChain complex (FaceId f) =
   where
     entry table = at (table complex)
     slice from to = map (EdgeId . fromIntegral) (U.toList (U.slice from (to - from) (chains complex)))
-
--- | The faces with a given object at back or front, in the order of their ids. /Cost/ O(number of faces); see
--- 'Visibility.Complex.Walk' for less.
-facesOfObject :: Complex -> Object -> [FaceId]
-facesOfObject complex object =
-  [f | f <- faceIds complex, faceBack complex f == object || faceFront complex f == object]

@@ -29,6 +29,7 @@ module Visibility.Scene.Type
     -- * Sides
   , sides
   , sideName
+  , sideNamed
   , sideStart
   , sideEnd
   , sideMaterial
@@ -214,6 +215,10 @@ sides scene = map SideId [0 .. cornerCount scene - 1]
 -- | What the file calls this side.
 sideName :: Scene -> SideId -> SideName
 sideName scene (SideId s) = sideNames scene V.! s
+
+-- | The side that the file calls so. /Cost/ O(n).
+sideNamed :: Scene -> SideName -> Maybe SideId
+sideNamed scene name = SideId <$> V.elemIndex name (sideNames scene)
 
 -- | Where a side starts when the solid is kept on its left.
 sideStart :: SideId -> CornerId

@@ -39,6 +39,23 @@ instance Arbitrary Triple where
         dy <- choose (-1, 1)
         pure (Vector2 (max 0 (ax + k * (bx - ax) `div` 1000 + dx)) (max 0 (ay + k * (by - ay) `div` 1000 + dy)))
 
+-- | Two headings of a lattice, from the first corner to the second and from the third to the fourth; often parallel, or
+-- nearly so.
+data Headings = Headings Vector2 Vector2 Vector2 Vector2
+  deriving (Show)
+
+instance Arbitrary Headings where
+  arbitrary = do
+    Triple a@(Vector2 ax ay) b@(Vector2 bx by) c@(Vector2 cx cy) <- arbitrary
+    Triple d _ _ <- arbitrary
+    dx <- choose (-1, 1)
+    dy <- choose (-1, 1)
+    k <- elements [1, 1, 2, -1]
+    let beside = Vector2 (cx + k * (bx - ax) + dx) (cy + k * (by - ay) + dy)
+        moved (Vector2 x y) = Vector2 (x - min 0 left) (y - min 0 low)
+        Vector2 left low = beside
+    elements [Headings a b c d, Headings (moved a) (moved b) (moved c) (moved beside)]
+
 -- | The three points under an arithmetic, as corners 0, 1 and 2.
 under :: Arithmetic -> Triple -> Points
 under arithmetic (Triple a b c) = pointsOn arithmetic [a, b, c]
@@ -101,6 +118,19 @@ spec = do
       let wrong = [(x, y) | (x, y) <- classroom, turn (classroomPoints UnsafeDouble x y) 0 1 2 /= compareAsTurn y x]
        in (length wrong > 500, [turn (classroomPoints a 3 4) 0 1 2 | a <- [Exact, Filtered, UnsafeDouble]])
             `shouldBe` (True, [LeftTurn, LeftTurn, Collinear])
+  describe "headingTurn" $
+    forM_ exactArithmetics $ \arithmetic -> describe (show arithmetic) . modifyMaxSuccess (* 20) $ do
+      it "is the turn of the exact directions" $
+        property $ \(Headings a b c d) ->
+          let p = pointsOn arithmetic [a, b, c, d]
+           in headingTurn p 0 1 2 3 === directionTurn (direction p 0 1) (direction p 2 3)
+      it "is antisymmetric, in the headings and in each of them" $
+        property $ \(Headings a b c d) ->
+          let p = pointsOn arithmetic [a, b, c, d]
+           in [opposite (headingTurn p 2 3 0 1), opposite (headingTurn p 1 0 2 3), headingTurn p 1 0 3 2]
+                === replicate 3 (headingTurn p 0 1 2 3)
+      it "is the turn of corners where both begin at one" $
+        property $ \t -> let p = under arithmetic t in headingTurn p 0 1 0 2 === turn p 0 1 2
   describe "directions" $ do
     it "turn as the corners that make them" $
       property $ \t ->

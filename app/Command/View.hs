@@ -1,0 +1,84 @@
+-- | What is seen from a point, a corner or a side.
+module Command.View
+  ( runView
+  , runDrawView
+  ) where
+
+import Data.ByteString.Builder (Builder, lazyByteString)
+import Options
+import Run (complain, ends, printed, sweeping, withScene, written)
+import Visibility.Complex (build)
+import Visibility.Complex.Walk
+import Visibility.Draw.Render (renderSvg)
+import Visibility.Draw.View (ViewFigure (..), viewDrawing)
+import Visibility.Error (Outcome (..))
+import Visibility.Exact.Predicate (Direction)
+import Visibility.Format.View (elementDocument, regionDocument, sideDocument)
+import Visibility.FormFactor (FormFactor (..))
+import Visibility.Scene
+import Visibility.Sight
+import Visibility.Sweep (Vertex)
+
+-- | As JSON.
+runView :: Common -> ViewOptions -> IO ()
+runView common options = seeing common (viewFrom options) printed document
+  where
+    document scene seen = case seen of
+      SeenRegion viewpoint sights -> regionDocument scene viewpoint (region scene (viewpointAt scene viewpoint) sights)
+      SeenByElement viewpoint normal sights ->
+        elementDocument (viewDetail options) (viewDigits options) scene viewpoint normal (elementFactors normal sights)
+      SeenBySide side factors -> sideDocument (viewDetail options) (viewDigits options) scene side factors
+
+-- | As a figure.
+runDrawView :: Common -> From -> Maybe FilePath -> IO ()
+runDrawView common from file = seeing common from (written file) document
+  where
+    document scene seen = lazyByteString (renderSvg (viewDrawing scene (figureOf scene seen)))
+    figureOf scene seen = case seen of
+      SeenRegion viewpoint sights ->
+        let point = viewpointAt scene viewpoint in RegionFigure point (region scene point sights)
+      SeenByElement viewpoint normal sights ->
+        ElementFigure (viewpointAt scene viewpoint) normal sights (elementFactors normal sights)
+      SeenBySide side factors -> SideFigure side [(factorTo f, factorValue f) | f <- factors]
+
+-- | What there was to see.
+data Seen
+  = SeenRegion !Viewpoint ![Sight]
+  | SeenByElement !Viewpoint !Direction ![Sight]
+  | SeenBySide !SideId ![FormFactor]
+
+-- | Looks from somewhere in a scene and tells it. A place that is not in the scene, or in the solid, is wrong usage.
+seeing :: Common -> From -> (Builder -> IO ()) -> (Scene -> Seen -> Builder) -> IO ()
+seeing common from write document = withScene common $ \scene ->
+  case placed scene from of
+    Left problem -> refuse problem
+    Right looking -> sweeping common scene $ \swept ->
+      either refuse (write . document scene) (looked scene looking swept)
+  where
+    refuse problem = complain [problem] >> ends WrongUsage
+
+-- | A place in the scene, with the normal of an element there.
+data Looking = LookingFrom !Viewpoint !(Maybe Direction) | LookingFromSide !SideId
+
+placed :: Scene -> From -> Either String Looking
+placed scene from = case from of
+  FromPoint point normal -> Right (LookingFrom (AtPoint point) normal)
+  FromCorner name normal ->
+    maybe (missing "corner" (cornerText name)) (Right . (`LookingFrom` normal) . AtCorner) (cornerNamed scene name)
+  FromSide name -> maybe (missing "side" (sideText name)) (Right . LookingFromSide) (sideNamed scene name)
+  where
+    missing what name =
+      Left ("--" <> what <> " " <> name <> ": the scene has no such " <> what <> "; give one such as " <> anyName)
+    anyName = concatMap (cornerText . cornerName scene) (take 1 (corners scene))
+
+looked :: Scene -> Looking -> [Vertex] -> Either String Seen
+looked scene looking swept = case looking of
+  LookingFromSide side -> Right (SeenBySide side (seenFactors index side))
+  LookingFrom viewpoint normal -> case lookAround index viewpoint of
+    Left solid -> Left (inSolid solid)
+    Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))
+  where
+    index = locator (build scene swept)
+    inSolid Enclosure = "--from: the point lies outside the enclosure; give one inside it"
+    inSolid polygon =
+      "--from: the point lies inside polygon " <> polygonText polygon <> "; give one in free space or on a boundary"
