@@ -133,7 +133,76 @@ spec = do
       piped <- output ["factors", "-"] text
       piped `shouldBe` named
 
+  describe "complex" $ do
+    it "is the same to the last byte for both schedulers and every exact arithmetic, in every scene" $ do
+      names <- sort . filter (".json" `isSuffix`) <$> listDirectory "scenes"
+      for_ names $ \name -> do
+        let call options = output (["complex", "scenes" </> name] <> options) ""
+        topological <- call []
+        straight <- call ["--scheduler", "straight"]
+        exact <- call ["--arithmetic", "exact"]
+        (name, straight == topological, exact == topological) `shouldBe` (name, True, True)
+    it "has the sizes that info counts" $
+      for_ ["grid", "room", "thin-walls", "flat"] $ \name -> do
+        info <- infoLines <$> output ["info", "scenes" </> name <> ".json"] ""
+        text <- output ["complex", "scenes" </> name <> ".json"] ""
+        let sizeOf key = do
+              document <- Aeson.decode (Lazy.pack text)
+              found <- Aeson.parseMaybe (Aeson.withObject "document" (Aeson..: key)) document
+              pure (show (length (found :: [Aeson.Value])))
+        map sizeOf ["corners", "vertices", "edges", "faces"]
+          `shouldBe` map (`lookup` info) ["corners", "vertices", "edges", "faces"]
+    it "does not come between the scheduler and the other commands" $
+      for_ [["graph"], ["factors"], ["draw", "scene"], ["draw", "dual"]] $ \command -> do
+        topological <- output (command <> ["scenes/grid.json"]) ""
+        straight <- output (command <> ["scenes/grid.json", "--scheduler", "straight"]) ""
+        (command, straight == topological) `shouldBe` (command, True)
+
+  describe "verify" $ do
+    it "finds every law to hold" $
+      for_ ["grid", "room", "thin-walls", "hooks", "forty-digits"] $ \name -> do
+        text <- lines <$> output ["verify", "scenes" </> name <> ".json"] ""
+        filter (not . ("holds " `isPrefixOf`)) (take (length text - 1) text) `shouldBe` []
+        length text `shouldSatisfy` (> 15)
+        last ("" : text) `shouldSatisfy` isInfixOf "0 broken"
+    it "ends with exit code 5 and says which laws are broken, where Doubles went wrong" $ do
+      scene <- readFile "test/golden/complex/nearly-collinear.scene.json"
+      (code, out, err) <- run ["verify", "-", "--arithmetic", "double"] scene
+      (code, err) `shouldBe` (5, "")
+      out `shouldSatisfy` isInfixOf "BROKEN"
+
+  describe "view" $ do
+    it "tells the visibility polygon of a point, closed by the room" $ do
+      text <- output ["view", "-", "--from", "1,1"] "{\"enclosure\": [[0,0],[4,0],[4,2],[2,2],[2,4],[0,4]], \"polygons\": []}"
+      text
+        `shouldBe` "{\"format\":\"viscomplex/1\",\"from\":[\"1\",\"1\"],\"polygon\":[[\"0\",\"0\"],[\"4\",\"0\"],[\"4\",\"2\"],\
+                   \[\"2\",\"2\"],[\"2\",\"4\"],[\"0\",\"4\"]],\"unbounded\":[]}\n"
+    it "tells what a side sees as factors does" $ do
+      rows <- factorsOf <$> output ["factors", "scenes/room.json"] ""
+      text <- output ["view", "scenes/room.json", "--side", "E.0"] ""
+      seenIn text `shouldBe` Just [(to, value) | ((from, to), value) <- rows, from == "E.0"]
+    it "tells the form factors of an element, which depend on the direction of its normal only" $ do
+      let call normal = output ["view", "scenes/room.json", "--from", "1/2,3", "--normal=" <> normal, "--exact"] ""
+      one <- call "1,-2"
+      three <- call "3/2,-3"
+      three `shouldBe` one
+      seenIn one `shouldSatisfy` maybe False (not . null)
+    it "refuses places that are not in the scene or in the solid, as wrong usage" $ do
+      refuses 1 ["no such corner", "0.9"] ["view", "scenes/room.json", "--corner", "0.9"] ""
+      refuses 1 ["no such side", "7.0"] ["view", "scenes/room.json", "--side", "7.0"] ""
+      refuses 1 ["outside the enclosure"] ["view", "scenes/room.json", "--from=-100,0"] ""
+      refuses 1 ["inside polygon 0"] ["view", "scenes/two-squares.json", "--from", "1/2,1/2"] ""
+      for_ ["1", "1,", "1,2,3", "x,y", "1/0,2"] $ \place ->
+        refuses 1 ["--from"] ["view", "scenes/room.json", "--from", place] ""
+      refuses 1 ["normal"] ["view", "scenes/room.json", "--from", "1/2,3", "--normal", "0,0"] ""
+      refuses 1 ["draw view needs"] ["draw", "view", "scenes/room.json"] ""
+      refuses 1 ["for the figure view"] ["draw", "dual", "scenes/room.json", "--from", "1,1"] ""
+
   describe "draw" $ do
+    it "draws views" $
+      for_ [["--from", "1/2,3"], ["--corner", "0.1"], ["--side", "E.0"], ["--from", "1/2,3", "--normal", "0,1"]] $ \from -> do
+        svg <- output (["draw", "view", "scenes/room.json"] <> from) ""
+        svg `shouldSatisfy` isInfixOf "<svg"
     it "writes a figure to the file named, and nothing else" $
       withSystemTempDirectory "viscomplex" $ \folder ->
         for_ ["scene", "dual"] $ \figure -> do
@@ -169,7 +238,7 @@ spec = do
       [drop 9 line | line <- lines package, "version: " `isPrefixOf` line] `shouldBe` [drop 11 (concat (lines version))]
   describe "help" $
     it "teaches by example, for every command" $
-      for_ ([] : map pure ["info", "graph", "factors", "draw", "generate"]) $ \command -> do
+      for_ ([] : map pure ["info", "graph", "factors", "complex", "view", "verify", "draw", "generate"]) $ \command -> do
         text <- output (command <> ["--help"]) ""
         text `shouldSatisfy` isInfixOf "viscomplex"
         text `shouldSatisfy` isInfixOf "Examples:"
@@ -208,7 +277,7 @@ spec = do
       (code, out) `shouldBe` (70, "")
       for_ ["law is broken", "unsafe", "The scene was:", "forty digits"] $ \phrase ->
         err `shouldSatisfy` isInfixOf phrase
-    for_ ["info", "graph", "factors"] $ \command -> do
+    for_ ["info", "graph", "factors", "complex", "verify"] $ \command -> do
       it ("in syntax and shape end with exit code 3 in " <> command) $ do
         refuses 3 ["standard input"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]]"
         refuses 3 ["colour"] [command, "-"] "{\"polygons\": [], \"colour\": 1}"
@@ -226,6 +295,12 @@ spec = do
   where
     nowhere = "/nowhere/at/all.svg"
     isSuffix end text = end == drop (length text - length end) text
+
+-- | The objects seen and their form factors, of a view.
+seenIn :: String -> Maybe [(String, String)]
+seenIn text = Aeson.decode (Lazy.pack text) >>= Aeson.parseMaybe (Aeson.withObject "view" (Aeson..: "sees")) >>= mapM entry
+  where
+    entry = Aeson.parseMaybe . Aeson.withObject "object seen" $ \o -> (,) <$> o Aeson..: "id" <*> o Aeson..: "value"
 
 -- | The values of info by their names.
 infoLines :: String -> [(String, String)]

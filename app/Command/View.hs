@@ -9,6 +9,7 @@ import Options
 import Run (complain, ends, printed, sweeping, withScene, written)
 import Visibility.Complex (build)
 import Visibility.Complex.Walk
+import Visibility.Complex.Walk.Side
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.View (ViewFigure (..), viewDrawing)
 import Visibility.Error (Outcome (..))
@@ -73,12 +74,12 @@ placed scene from = case from of
 
 looked :: Scene -> Looking -> [Vertex] -> Either String Seen
 looked scene looking swept = case looking of
-  LookingFromSide side -> Right (SeenBySide side (seenFactors index side))
-  LookingFrom viewpoint normal -> case lookAround index viewpoint of
+  LookingFromSide side -> Right (SeenBySide side (sideFactors (sees (sideIndex complex) side)))
+  LookingFrom viewpoint normal -> case lookAround (locator complex) viewpoint of
     Left solid -> Left (inSolid solid)
     Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))
   where
-    index = locator (build scene swept)
+    complex = build scene swept
     inSolid Enclosure = "--from: the point lies outside the enclosure; give one inside it"
     inSolid polygon =
       "--from: the point lies inside polygon " <> polygonText polygon <> "; give one in free space or on a boundary"

@@ -119,6 +119,17 @@ data Style
   | TangentCurve
   | EndingCurve
   | BuriedCurve
+  | -- | What is seen from a point.
+    SeenRegion
+  | -- | A line of sight past a corner, where the seen region ends.
+    SightLimit
+  | -- | A side, or a piece of one, that is seen.
+    SeenSide
+  | -- | The side that sees.
+    SeeingSide
+  | -- | The normal of an element.
+    Arrow
+  | ViewpointDot
   | VertexDot
   | DegenerateVertexDot
   | Axis
@@ -128,6 +139,8 @@ data Style
   | -- | A thin line from a corner or curve to its label.
     Leader
   | CornerLabel
+  | -- | What a side is called, and how much of it is seen.
+    SideLabel
   | PolygonLabel
   | TickLabel
   | AxisTitle
@@ -160,6 +173,7 @@ textSize style = case style of
   TickLabel -> 12
   PolygonLabel -> 11
   CornerLabel -> 11
+  SideLabel -> 11
   _ -> 0
 
 -- | An upper bound for the usual sans serif fonts: the reader's font is not known.
@@ -220,6 +234,7 @@ byDensity density sparse dense crowded packed = case density of
 
 -- | The radius of a dot, in pixels.
 dotRadius :: Density -> Style -> Double
+dotRadius _ ViewpointDot = 4
 dotRadius density DegenerateVertexDot = byDensity density 3.6 2.2 1.2 0.8
 dotRadius density _ = byDensity density 2.2 1.2 0.6 0.25
 
@@ -236,6 +251,11 @@ strokeWidth density style = case style of
   TangentCurve -> by 1.3 0.5 0.18 0.06
   EndingCurve -> by 1.1 0.45 0.15 0.05
   BuriedCurve -> by 1 0.4 0.15 0.05
+  SightLimit -> by 0.9 0.7 0.4 0.2
+  SeenSide -> by 3.4 2.8 1.8 1.2
+  SeeingSide -> by 5.4 4.6 3.4 2.4
+  Arrow -> 2
+  ViewpointDot -> 1.6
   DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
   Axis -> 1
   Reference -> 0.8

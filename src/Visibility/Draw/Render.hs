@@ -144,8 +144,14 @@ look density style = case style of
   TangentCurve -> line (by "#16365c" "#16365c" "#33557f")
   EndingCurve -> Look Nothing (Just (by "#d08a3e" "#d08a3e" "#dba368")) (by [4, 2.5] [3, 2] [2, 1.5])
   BuriedCurve -> Look Nothing (Just "#8c8c8c") (by [1.2, 2.6] [1, 2] [0.8, 1.6])
+  SeenRegion -> Look (Just "#cde3f6") Nothing []
+  SightLimit -> line "#3a78b5"
+  SeenSide -> line "#1f62a8"
+  SeeingSide -> line accent
+  Arrow -> line accent
+  ViewpointDot -> Look (Just accent) (Just "#ffffff") []
   VertexDot -> Look (Just dark) Nothing []
-  DegenerateVertexDot -> Look (Just "#ffffff") (Just "#b3122a") []
+  DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) []
   Axis -> line dark
   Reference -> line "#b5b5b5"
   Tick -> line dark
@@ -155,5 +161,6 @@ look density style = case style of
     line colour = Look Nothing (Just colour) []
     solid = "#d4d4d4"
     dark = "#1f1f1f"
+    accent = "#b3122a"
     by :: a -> a -> a -> a
     by sparse dense crowded = byDensity density sparse dense crowded crowded

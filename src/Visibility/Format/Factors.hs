@@ -5,6 +5,7 @@ module Visibility.Format.Factors
   ( FactorFormat (..)
   , Detail (..)
   , factorsDocument
+  , exactTerms
   ) where
 
 import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
@@ -81,7 +82,12 @@ json detail wanted scene factors =
           <> exact factor
     exact factor = case detail of
       DecimalsOnly -> mempty
-      WithExactMeasures -> pair "measure" (list term (RootSum.terms (factorMeasure factor)))
+      WithExactMeasures -> pair "measure" (exactTerms (factorMeasure factor))
+
+-- | The terms of a sum of roots as a JSON list of @[coefficient, radicand]@.
+exactTerms :: RootSum -> Encoding
+exactTerms = list term . RootSum.terms
+  where
     term (c, n) = list string [rationalText c, show n]
 
 plain :: Detail -> Digits -> Scene -> [FormFactor] -> Builder

@@ -5,6 +5,8 @@ module Visibility.Draw.Gallery
   , goldenScenes
   , withValid
   , displaced
+  , cornerSights
+  , forAllViewpoints
   , shouldBeListedIn
   ) where
 
@@ -18,13 +20,18 @@ import qualified Data.Text.Encoding as Text
 import System.Directory (doesFileExist, listDirectory)
 import System.FilePath (dropExtension, takeExtension, (</>))
 import Test.Hspec
+import Test.QuickCheck
 import Visibility.Draw.Drawing
 import Visibility.Exact.Point
 import Visibility.Format.Json (readSceneFile)
-import Visibility.Scene (Scene)
+import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Error.Scene (SceneError)
 import Visibility.Scene.Validate (validate)
+import Visibility.Sight
+import Visibility.Sweep (vertices)
+import Visibility.Test.Scan
+import Visibility.View
 
 -- | Examples for each scene in scenes/, by name.
 withGallery :: (String -> Scene -> Spec) -> Spec
@@ -66,6 +73,35 @@ displaced d raw =
   validate raw {rawEnclosure = moved <$> rawEnclosure raw, rawPolygons = map moved (rawPolygons raw)}
   where
     moved polygon = polygon {rawCorners = [Point (x + d) (y + d) | Point x y <- rawCorners polygon]}
+
+-- | All corners, each with its sights all around: its views follow each other from −90° to 90° forward, then
+-- backward.
+cornerSights :: Scene -> [(CornerId, [Sight])]
+cornerSights scene = Map.toList (Map.map allAround byCorner)
+  where
+    byCorner = Map.fromListWith (flip (<>)) [(edgeCorner e, [e]) | e <- stretches scene (events scene (vertices scene))]
+    allAround found =
+      [Sight (edgeFrom e) (edgeTo e) object | e <- found, Just object <- [frontOf (edgeView e)]]
+        <> [ Sight (reversed (edgeFrom e)) (reversed (edgeTo e)) object
+           | e <- found
+           , Just object <- [backOf (edgeView e)]
+           ]
+    frontOf view = case view of
+      Tangent _ _ front -> Just front
+      Ending Back front -> Just front
+      _ -> Nothing
+    backOf view = case view of
+      Tangent _ back _ -> Just back
+      Ending Front back -> Just back
+      _ -> Nothing
+
+-- | A check of any corner or other point that is not in the solid, with its sights.
+forAllViewpoints :: Testable check => Scene -> (Point -> [Sight] -> check) -> Property
+forAllViewpoints scene check =
+  forAll (oneof [elements (corners scene) >>= \c -> pure (cornerPoint scene c), somePoint scene]) $ \q ->
+    case scan scene q of
+      Right sights@(_ : _) -> property (check q sights)
+      _ -> discard
 
 -- | Compares a drawing with a file in test/golden/draw, which has to exist.
 shouldBeListedIn :: Drawing -> FilePath -> Expectation

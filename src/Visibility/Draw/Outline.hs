@@ -1,0 +1,174 @@
+-- | The boundary of a visibility region, exact; and as places of a figure, where what is unbounded ends at the margin.
+module Visibility.Draw.Outline
+  ( inFront
+  , Piece (..)
+  , boundary
+  , isLimit
+  , outlinePlaces
+  , limitLines
+  ) where
+
+import Data.List (sortBy)
+import Visibility.Draw.Drawing hiding (Region)
+import Visibility.Draw.Scale (directionAngle)
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate
+import Visibility.Sight
+
+-- | The part of the sights, counter-clockwise, that lies in front of an element with a normal: less than 90° from it.
+--
+-- /Shape/ a sight may be cut in two. The lists begin with what is farthest to the right; there is another one wherever
+-- the rays between lead into the solid.
+inFront :: Direction -> [Sight] -> [[Sight]]
+inFront (Direction nx ny) =
+  foldr connect [] . sortBy rightFirst . filter ahead . concatMap (cutAt leftmost) . concatMap (cutAt rightmost)
+  where
+    connect a ((b : more) : others) | sameDirection (sightTo a) (sightFrom b) = (a : b : more) : others
+    connect a others = [a] : others
+    rightmost = Direction ny (negate nx)
+    leftmost = Direction (negate ny) nx
+    ahead (Sight from _ _) = sameDirection from rightmost || directionTurn rightmost from == LeftTurn
+    rightFirst (Sight a _ _) (Sight b _ _)
+      | sameDirection a b = EQ
+      | sameDirection a rightmost = LT
+      | sameDirection b rightmost = GT
+      | directionTurn a b == LeftTurn = LT
+      | otherwise = GT
+
+-- | A sight cut where it contains a direction inside.
+cutAt :: Direction -> Sight -> [Sight]
+cutAt d sight@(Sight from to object)
+  | aroundFrom from d to == LT = [Sight from d object, Sight d to object]
+  | otherwise = [sight]
+
+-- | Order of two directions by how far one has to turn left to them from a third, by more than 0° and up to 360°.
+aroundFrom :: Direction -> Direction -> Direction -> Ordering
+aroundFrom start a b = case compare (quarter a) (quarter b) of
+  EQ -> case directionTurn a b of
+    LeftTurn -> LT
+    Collinear -> EQ
+    RightTurn -> GT
+  order -> order
+  where
+    quarter :: Direction -> Int
+    quarter d = case directionTurn start d of
+      LeftTurn -> 0
+      Collinear -> if sameDirection start d then 3 else 1
+      RightTurn -> 2
+
+-- | A piece of the boundary of the region that is seen from a point.
+data Piece
+  = -- | Of a side.
+    OnSide !Point !Point
+  | -- | Of a line of sight.
+    OnSight !Point !Point
+  | -- | From a point to infinity in the first direction, back in the second to another point: the sky is between.
+    Beyond !Point !Direction !Direction !Point
+  deriving (Eq, Show)
+
+-- | The boundary of a region seen from a point, counter-clockwise.
+--
+-- /Degenerate cases/ a region without corners, as the whole plane or a half plane: its pieces begin and end at the
+-- viewpoint.
+--
+-- /Laws/ one 'Beyond' for each unbounded interval.
+boundary :: Point -> Region -> [Piece]
+boundary q (Region points unbounded) = case points of
+  [] -> [Beyond q from to q | (from, to) <- unbounded]
+  first : rest -> concatMap pieces neighbours
+    where
+      neighbours = zip points (rest <> [first])
+      pieces (x, y) = case openings of
+        [] | cross (between q x) (between q y) == 0 -> [OnSight x y]
+           | otherwise -> [OnSide x y]
+        _ -> [Beyond x from to y | (from, to) <- openings]
+        where
+          openings = filter (joins along (x, y)) unbounded <> filter (joins through (x, y)) straight
+      -- Those next to the viewpoint where that is no corner, since the region ends there in a straight line.
+      straight = [opening | opening <- unbounded, not (any (\ends -> joins along ends opening) neighbours)]
+      joins on (x, y) (from, to) = on q from x && on q to y
+
+-- | Is a point on the ray, or on the line, from the viewpoint?
+along, through :: Point -> Direction -> Point -> Bool
+along q d x = through q d x && dot (vector d) (between q x) >= 0
+through q d x = cross (vector d) (between q x) == 0
+
+between :: Point -> Point -> (Rational, Rational)
+between (Point ax ay) (Point bx by) = (bx - ax, by - ay)
+
+vector :: Direction -> (Rational, Rational)
+vector (Direction x y) = (fromInteger x, fromInteger y)
+
+cross, dot :: (Rational, Rational) -> (Rational, Rational) -> Rational
+cross (ax, ay) (bx, by) = ax * by - ay * bx
+dot (ax, ay) (bx, by) = ax * bx + ay * by
+
+-- | The corners of a region on the canvas, cut off at the border of a box.
+--
+-- /Requires/ the viewpoint and all corners of the region inside the box.
+outlinePlaces :: Box -> (Point -> Place) -> Point -> [Piece] -> [Place]
+outlinePlaces box place q = concatMap piecePlaces
+  where
+    here = place q
+    piecePlaces (OnSide x _) = [place x]
+    piecePlaces (OnSight x _) = [place x]
+    piecePlaces (Beyond x from to _)
+      | sameDirection from to = boxArc box here from to
+      | otherwise = place x : boxArc box here from to
+
+-- | The lines of sight that bound a region, cut off at the border of a box; not those that have no length.
+limitLines :: Box -> (Point -> Place) -> Point -> [Piece] -> [(Place, Place)]
+limitLines box place q = filter (uncurry (/=)) . concatMap lines'
+  where
+    here = place q
+    lines' (OnSide _ _) = []
+    lines' (OnSight x y) = [(place x, place y)]
+    lines' (Beyond x from to y)
+      | sameDirection from to = []
+      | otherwise = [(place x, exit box here from), (exit box here to, place y)]
+
+-- | Does a piece of the boundary lie on lines of sight?
+isLimit :: Piece -> Bool
+isLimit piece = case piece of
+  OnSide _ _ -> False
+  OnSight _ _ -> True
+  Beyond _ from to _ -> not (sameDirection from to)
+
+-- | Are two directions the same?
+sameDirection :: Direction -> Direction -> Bool
+sameDirection a b = directionTurn a b == Collinear && dot (vector a) (vector b) > 0
+
+-- | The border of a box from where one ray of a place leaves it, counter-clockwise to where another does.
+boxArc :: Box -> Place -> Direction -> Direction -> [Place]
+boxArc box@(Box l b r t) here@(Place x y) from to
+  | directionTurn from to == LeftTurn = exit box here from : sortBy firstLeft inBetween <> [exit box here to]
+  | otherwise = boxArc box here from quarter <> drop 1 (boxArc box here quarter to)
+  where
+    -- After at most three quarters the rest is less than a half turn.
+    quarter = let Direction dx dy = from in Direction (negate dy) dx
+    inBetween =
+      [ corner
+      | corner <- [Place r t, Place l t, Place l b, Place r b]
+      , left (unit from) (seen corner)
+      , left (seen corner) (unit to)
+      ]
+    firstLeft a c = if left (seen a) (seen c) then LT else GT
+    seen (Place cx cy) = (cx - x, cy - y)
+    left (ax, ay) (cx, cy) = ax * cy - ay * cx > 0
+
+-- | Where a ray from a place inside a box leaves it.
+exit :: Box -> Place -> Direction -> Place
+exit (Box l b r t) (Place x y) d = Place (clamped l r (x + s * dx)) (clamped b t (y + s * dy))
+  where
+    (dx, dy) = unit d
+    s = minimum (across x l r dx <> across y b t dy)
+    across v low high dv
+      | dv > 0 = [(high - v) / dv]
+      | dv < 0 = [(low - v) / dv]
+      | otherwise = []
+    clamped low high = max low . min high
+
+unit :: Direction -> (Double, Double)
+unit d = (cos angle, sin angle)
+  where
+    angle = directionAngle d

@@ -1,0 +1,279 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What all figures in the plane of the scene share: where the scene lies on the canvas, its polygons and lights, and
+-- the labels of its corners and polygons.
+module Visibility.Draw.Scenery
+  ( -- * The scene on the canvas
+    Frame
+  , frameFor
+  , standardFoot
+  , frameOutside
+  , frameFoot
+  , frameHeight
+  , canvasWidth
+  , sideMargin
+  , placeOf
+  , placeOfPoint
+    -- * Polygons
+  , boxRegion
+  , groundLayers
+  , polygonMarks
+  , polygonDensity
+  , lightsOf
+  , besideSide
+  , flatCornerMarks
+  , sceneryEntries
+    -- * Labels
+  , fewCorners
+  , wideLines
+  , dotBoxes
+  , cornerRequest
+  , polygonLabel
+    -- * The foot
+  , scaleMarks
+  , titleMark
+  ) where
+
+import Data.Ratio ((%))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Visibility.Draw.Drawing
+import Visibility.Draw.Labels
+import Visibility.Draw.Legend
+import Visibility.Draw.Scale
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Turn (..), turn)
+import Visibility.Scene
+import Visibility.Scene.Raw (Material (..))
+
+-- | Where the scene lies on the canvas.
+data Frame = Frame
+  { frameScale :: !Double
+  -- ^ Pixels per extent.
+  , frameExtent :: !Rational
+  -- ^ The longer side of the bounding box, on the lattice.
+  , frameCorner :: !(Rational, Rational)
+  -- ^ The lower left of the bounding box, on the lattice.
+  , frameOrigin :: !Place
+  -- ^ Its place.
+  , frameOutside :: !Box
+  -- ^ What the figure fills, margins included.
+  , frameFoot :: !Double
+  -- ^ Room below the figure.
+  , frameHeight :: !Double
+  -- ^ The height of what the figure fills.
+  }
+
+-- | The width of the figure, and that of the margin left and right, in pixels.
+canvasWidth, sideMargin :: Double
+canvasWidth = 800
+sideMargin = 16
+
+plotMargin, tallest, lowest :: Double
+plotMargin = 34
+tallest = 760
+lowest = 90
+
+-- | The room that figures leave below them for a row of the legend and two lines of caption.
+standardFoot :: Double
+standardFoot = 66
+
+-- | The scene, with some further points, as large as 800 pixels of width and 'tallest' of height admit, in the middle
+-- and above a foot of this height.
+frameFor :: Double -> Scene -> [Point] -> Frame
+frameFor foot scene further =
+  Frame scale extent (left, bottom) (Place originX originY) outside foot (plotHeight + 2 * plotMargin)
+  where
+    points = [(toRational x, toRational y) | c <- corners scene, let Vector2 x y = cornerAt scene c] <> others
+    others = map (latticePlace scene) further
+    left = minimum (0 : map fst others)
+    bottom = minimum (0 : map snd others)
+    across = maximum (0 : map fst points) - left
+    up = maximum (0 : map snd points) - bottom
+    extent = maximum [1, across, up]
+    (w, h) = (fromRational (across / extent), fromRational (up / extent))
+    plotWidth = canvasWidth - 2 * (sideMargin + plotMargin)
+    scale = if h * plotWidth <= w * tallest then plotWidth / w else tallest / h
+    plotHeight = fromIntegral (ceiling (max lowest (scale * h)) :: Int)
+    originX = (canvasWidth - scale * w) / 2
+    originY = foot + plotMargin + (plotHeight - scale * h) / 2
+    outside = Box sideMargin foot (canvasWidth - sideMargin) (foot + plotHeight + 2 * plotMargin)
+
+-- | The place of a corner.
+placeOf :: Scene -> Frame -> CornerId -> Place
+placeOf scene frame c = placed frame (toRational x, toRational y)
+  where
+    Vector2 x y = cornerAt scene c
+
+-- | The place of a point in the file's coordinates.
+--
+-- /Law/ @placeOfPoint scene frame (cornerPoint scene c) == placeOf scene frame c@.
+placeOfPoint :: Scene -> Frame -> Point -> Place
+placeOfPoint scene frame = placed frame . latticePlace scene
+
+-- | A point of the file on the lattice, where it may lie between the lattice's points.
+latticePlace :: Scene -> Point -> (Rational, Rational)
+latticePlace scene (Point x y) = (scale * (x - x0), scale * (y - y0))
+  where
+    Point x0 y0 = fromLattice (sceneLattice scene) (Vector2 0 0)
+    scale = latticeScale (sceneLattice scene) % 1
+
+-- | Exact up to the last step, so that figures of far places are as good.
+placed :: Frame -> (Rational, Rational) -> Place
+placed frame (x, y) = Place (ox + part (x - left)) (oy + part (y - bottom))
+  where
+    (left, bottom) = frameCorner frame
+    Place ox oy = frameOrigin frame
+    part v = frameScale frame * fromRational (v / frameExtent frame)
+
+-- | A rectangle as a region.
+boxRegion :: Box -> Shape
+boxRegion (Box l b r t) = Region [Place l b, Place r b, Place r t, Place l t]
+
+-- | The layers below everything: @outside@ and @room@ of an enclosure.
+groundLayers :: Scene -> Frame -> [Layer]
+groundLayers scene frame =
+  [ Layer "outside" Sparse [Mark "E" Outside (boxRegion (frameOutside frame)) | _ <- enclosures]
+  , Layer "room" Sparse [Mark "E" RoomFloor (Region places) | places <- enclosures]
+  ]
+  where
+    enclosures =
+      [ map (placeOf scene frame) (polygonCorners polygon)
+      | polygon <- scenePolygons scene
+      , polygonId polygon == Enclosure
+      ]
+
+-- | A mark for each polygon, named as in output.
+polygonMarks :: Scene -> Frame -> [Mark]
+polygonMarks scene frame = map (polygonMark (placeOf scene frame)) (scenePolygons scene)
+
+-- | The density of the layers of polygons and lights.
+polygonDensity :: Scene -> Density
+polygonDensity = densityOf . cornerCount
+
+isSolid, isThin :: Polygon -> Bool
+isSolid = not . isThin
+isThin polygon = length (polygonCorners polygon) == 2
+
+polygonMark :: (CornerId -> Place) -> Polygon -> Mark
+polygonMark place polygon
+  | polygonId polygon == Enclosure = Mark name RoomWall (Polyline (places <> take 1 places))
+  | isThin polygon = Mark name ThinWall (Polyline places)
+  | otherwise = Mark name Opaque (Region places)
+  where
+    name = Text.pack (polygonText (polygonId polygon))
+    places = map place (polygonCorners polygon)
+
+-- | The marks of all sides that give light, named by their sides: a band along the side and short rays from it into
+-- free space, which lies to the right of the side.
+lightsOf :: Scene -> Frame -> [Mark]
+lightsOf scene frame = concatMap (lightMarks scene (placeOf scene frame)) (sides scene)
+
+lightMarks :: Scene -> (CornerId -> Place) -> SideId -> [Mark]
+lightMarks scene place side
+  | emission (sideMaterial scene side) <= 0 = []
+  | otherwise =
+    [Mark name LightRim (Polyline [from, to]), Mark name LightSource (Polyline [from, to])]
+      <> [ Mark name LightRay (Polyline [along (k / count) 4.5, along (k / count) 9])
+         | long > 0
+         , k <- takeWhile (< count) (map (+ 0.5) [0 ..])
+         ]
+  where
+    name = Text.pack (sideText (sideName scene side))
+    Place x0 y0 = place (sideStart side)
+    Place x1 y1 = place (sideEnd scene side)
+    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
+    count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
+    (from, to) = (along 0 0, along 1 0)
+    along = besideSide scene place side
+
+-- | A place along a side, 0 at its start and 1 at its end, so many pixels out into free space.
+--
+-- /Degenerate cases/ the two faces of a thin wall lie beside it, so that both can be told apart. A side too short to
+-- be drawn is one place.
+besideSide :: Scene -> (CornerId -> Place) -> SideId -> Double -> Double -> Place
+besideSide scene place side s out
+  | long > 0 = Place (x0 + s * dx + (beside + out) * dy / long) (y0 + s * dy - (beside + out) * dx / long)
+  | otherwise = Place x0 y0
+  where
+    Place x0 y0 = place (sideStart side)
+    Place x1 y1 = place (sideEnd scene side)
+    (dx, dy) = (x1 - x0, y1 - y0)
+    long = sqrt (dx * dx + dy * dy)
+    beside = if isWallCorner scene (sideStart side) then 2.6 else 0
+
+-- | Dots at flat corners of a scene whose corners are labelled: there a label would name a corner that no outline
+-- shows.
+flatCornerMarks :: Scene -> Frame -> [Mark]
+flatCornerMarks scene frame =
+  [ Mark (Text.pack (cornerText (cornerName scene c))) VertexDot (Dot (placeOf scene frame c))
+  | fewCorners scene
+  , c@(CornerId i) <- corners scene
+  , let (CornerId before, CornerId after) = (previousCorner scene c, nextCorner scene c)
+  , before /= after
+  , turn (scenePoints scene) before i after == Collinear
+  ]
+
+-- | The entries of the legend for polygons; those for lights.
+sceneryEntries :: Scene -> ([Entry], [Entry])
+sceneryEntries scene =
+  ( [Entry (regionSwatch Opaque) "opaque" | any isSolid (scenePolygons scene)]
+      <> [Entry (lineSwatch [ThinWall]) "thin wall" | any isThin (scenePolygons scene)]
+  , [ Entry (lineSwatch [LightRim, LightSource]) "light source"
+    | any ((> 0) . emission . sideMaterial scene) (sides scene)
+    ]
+  )
+
+-- | Are all corners to be labelled? Up to 40 are.
+fewCorners :: Scene -> Bool
+fewCorners scene = cornerCount scene <= 40
+
+-- | What a mark draws, as it is in the way of labels.
+wideLines :: Mark -> [Line]
+wideLines mark = map (Line (strokeWidth Sparse (markStyle mark) / 2)) (strokes mark)
+
+-- | Dots, as they are in the way of labels.
+dotBoxes :: [Mark] -> [Box]
+dotBoxes marks = [widened (dotRadius Sparse style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
+
+-- | A label that had best lie where the free angle of its corner is widest, opposite the solid.
+cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> Request
+cornerRequest scene place c = Request name CornerLabel name [Seat here outward pi]
+  where
+    name = Text.pack (cornerText (cornerName scene c))
+    here = place c
+    next = bearing (place (nextCorner scene c))
+    previous = bearing (place (previousCorner scene c))
+    -- Free space runs counter-clockwise from the preceding side to the following one.
+    outward = previous + positive (next - previous) / 2
+    positive a = if a <= 0 then a + 2 * pi else a
+    bearing (Place x y) = let Place hx hy = here in atan2 (y - hy) (x - hx)
+
+-- | The number of an obstacle, and its name where there is room, inside it and on none of some lines.
+polygonLabel :: (CornerId -> Place) -> [Line] -> Polygon -> Maybe Mark
+polygonLabel place bands polygon
+  | polygonId polygon == Enclosure || isThin polygon = Nothing
+  | otherwise = labelInside bands number PolygonLabel texts (map place (polygonCorners polygon))
+  where
+    number = Text.pack (polygonText (polygonId polygon))
+    texts = [number <> " " <> name | Just name <- [polygonName polygon]] <> [number]
+
+-- | A bar whose length in the file's units is a round number, by its right end.
+scaleMarks :: Scene -> Frame -> Place -> [Mark]
+scaleMarks scene frame (Place right y) =
+  [ plain Axis (Polyline [Place left y, Place right y])
+  , plain Axis (Polyline [Place left (y - 3), Place left (y + 3)])
+  , plain Axis (Polyline [Place right (y - 3), Place right (y + 3)])
+  , plain Caption (Label EndAnchor (Place (left - 6) (y - 0.36 * textSize Caption)) (decimalText bar))
+  ]
+  where
+    -- 80 pixels in the file's units.
+    bar = roundStep (unit * toRational (80 / frameScale frame))
+    unit = frameExtent frame / fromInteger (latticeScale (sceneLattice scene))
+    left = right - frameScale frame * fromRational (bar / unit)
+
+-- | The title above a figure of this height.
+titleMark :: Double -> Text -> Mark
+titleMark height title =
+  plain FigureTitle $
+    Label StartAnchor (Place sideMargin (height - 25)) (shortened FigureTitle (canvasWidth - 2 * sideMargin) title)

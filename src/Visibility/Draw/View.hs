@@ -1,0 +1,299 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The figure of what is seen from a point, from an element with a normal, or from a side.
+module Visibility.Draw.View
+  ( ViewFigure (..)
+  , viewDrawing
+  ) where
+
+import Data.List (find, sortOn)
+import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Ord (Down (..))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Visibility.Draw.Drawing hiding (Region)
+import qualified Visibility.Draw.Drawing as Drawing
+import Visibility.Draw.Labels
+import Visibility.Draw.Legend
+import Visibility.Draw.Outline
+import Visibility.Draw.Scale
+import Visibility.Draw.Scenery
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Direction (..))
+import Visibility.Exact.RootSum (RootSum)
+import Visibility.Exact.Rounding
+import Visibility.Scene
+import Visibility.Sight
+
+-- | What is looked from, with what is seen.
+data ViewFigure
+  = -- | A point, which may be a corner, and its visibility region.
+    RegionFigure !Point !Region
+  | -- | A differential element at a point with a normal, the sights all around the point, and the form factors.
+    ElementFigure !Point !Direction ![Sight] ![(Object, RootSum)]
+  | -- | A side and its form factors.
+    SideFigure !SideId ![(Object, RootSum)]
+
+-- | The scene to scale, 800 pixels wide, with what is seen.
+--
+-- Layers, from the bottom: @outside@ and @room@ of an enclosure; @region@, what a point sees, cut off at the figure's
+-- margin where it reaches the sky; @limits@, the lines of sight that bound the region; @polygons@, named as in output;
+-- @seen@, the seen sides or pieces of sides, and the side that sees, named by their sides; @flat-corners@, dots;
+-- @viewpoint@; @leaders@, @labels@; @legend@. A region comes with the labels of the figure of the scene, form factors
+-- with labels of the sides that are seen most.
+--
+-- /Degenerate cases/ a viewpoint beyond the scene is within the figure, which shows the scene smaller. The face of a
+-- thin wall that is seen lies beside it.
+--
+-- /Requires/ of an element: its sights counter-clockwise. /Cost/ that of the marks, besides labels.
+--
+-- /Laws/ every polygon has exactly one mark; every side with a form factor has one mark in a figure of a side; no label
+-- covers a line, an outline or another label; nothing leaves the canvas.
+viewDrawing :: Scene -> ViewFigure -> Drawing
+viewDrawing scene figure =
+  Drawing
+    { drawingTitle = title
+    , drawingDescription = title <> ", " <> Text.intercalate ", " facts <> "."
+    , drawingWidth = canvasWidth
+    , drawingHeight = height
+    , drawingLayers =
+        filter (not . null . layerMarks) $
+          groundLayers scene frame
+            <> [ Layer "region" Sparse region'
+               , Layer "limits" (densityOf (length limits)) limits
+               , Layer "polygons" (polygonDensity scene) polygons
+               , Layer "seen" (polygonDensity scene) seen
+               , Layer "flat-corners" Sparse flatCorners
+               , Layer "viewpoint" Sparse viewpoint
+               , Layer "leaders" Sparse leaders
+               , Layer "labels" Sparse labels
+               , Layer "legend" Sparse (titleMark height title : legendMarks <> scaleBar <> captions)
+               ]
+    }
+  where
+    title = titleOf scene figure <> fromMaybe "untitled scene" (sceneTitle scene)
+    frame = frameFor foot scene (viewpointOf figure)
+    place = placeOf scene frame
+    polygons = polygonMarks scene frame
+    (region', limits) = regionMarks scene frame figure
+    seen = sideMarks scene frame figure
+    viewpoint = viewpointMarks scene frame figure
+    labelled = labelling scene figure
+    flatCorners = if labelled == CornerLabels then flatCornerMarks scene frame else []
+
+    underneath = concatMap wideLines (region' <> limits)
+    obstruction =
+      Obstruction
+        { canvas = frameOutside frame
+        , lightLines = underneath
+        , walls = concatMap wideLines (polygons <> seen <> viewpoint)
+        , taken = dotBoxes (flatCorners <> viewpoint)
+        , clearance = 1.5
+        }
+    (labels, leaders, unlabelled) = case labelled of
+      PolygonLabels -> (mapMaybe (polygonLabel place underneath) (scenePolygons scene), [], [])
+      CornerLabels -> placeLabels obstruction (map (cornerRequest scene place) (corners scene))
+      -- The caption has what finds no room.
+      SideLabels ->
+        let (found, thin, _) = placeLabels obstruction (sideRequests scene frame figure) in (found, thin, [])
+
+    facts = factsOf scene figure <> countedUnlabelled unlabelled
+    height = frameHeight frame + foot + 40
+    -- How much room the foot takes must be known before there are labels.
+    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (factsOf scene figure <> doubtful)) + 9)
+    doubtful = if labelled == CornerLabels then countedUnlabelled (corners scene) else []
+    captionRows = length . captionLines 0 0 captionWidth . map (shortened Caption captionWidth)
+    legendRows = legendHeight legendWidth entries
+    (legendTop, legendWidth) = (foot - 6, captionWidth - 150)
+    legendMarks = legend sideMargin legendTop legendWidth entries
+    entries = fst (sceneryEntries scene) <> entriesOf scene figure
+    captions =
+      captionLines sideMargin (legendTop - legendRows - 15) captionWidth (map (shortened Caption captionWidth) facts)
+    captionWidth = canvasWidth - 2 * sideMargin
+    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
+
+-- | Which things have labels.
+data Labelling = CornerLabels | PolygonLabels | SideLabels
+  deriving (Eq)
+
+labelling :: Scene -> ViewFigure -> Labelling
+labelling scene figure = case figure of
+  RegionFigure _ _
+    | fewCorners scene -> CornerLabels
+    | otherwise -> PolygonLabels
+  _ -> SideLabels
+
+viewpointOf :: ViewFigure -> [Point]
+viewpointOf figure = case figure of
+  RegionFigure q _ -> [q]
+  ElementFigure q _ _ _ -> [q]
+  SideFigure _ _ -> []
+
+-- | The boundaries of what is seen from a point: of an element, of what is in front of it, which is in two parts where
+-- it stands at a corner.
+boundariesOf :: Scene -> ViewFigure -> [[Piece]]
+boundariesOf scene figure = case figure of
+  RegionFigure q seen -> [boundary q seen]
+  ElementFigure q normal sights _ -> map (boundary q . region scene q) (inFront normal sights)
+  SideFigure _ _ -> []
+
+-- | The seen region, and the lines of sight that bound it.
+regionMarks :: Scene -> Frame -> ViewFigure -> ([Mark], [Mark])
+regionMarks scene frame figure =
+  ( [plain SeenRegion (Drawing.Region (outlinePlaces box place q pieces)) | q <- viewpoints, pieces <- boundaries]
+  , [ plain SightLimit (Polyline [a, b])
+    | q <- viewpoints
+    , pieces <- boundaries
+    , (a, b) <- limitLines box place q pieces
+    ]
+  )
+  where
+    viewpoints = viewpointOf figure
+    boundaries = boundariesOf scene figure
+    box = frameOutside frame
+    place = placeOfPoint scene frame
+
+-- | The seen sides, or of an element the seen pieces, the side that sees above them.
+sideMarks :: Scene -> Frame -> ViewFigure -> [Mark]
+sideMarks scene frame figure = case figure of
+  RegionFigure _ _ -> []
+  ElementFigure {} -> [mark SeenSide side (band side from to) | (side, from, to) <- seenPieces scene figure]
+  SideFigure from factors ->
+    [mark SeenSide side (band side 0 1) | (Side side, _) <- sortOn fst factors]
+      <> [mark SeeingSide from (band from 0 1)]
+  where
+    mark style side = Mark (Text.pack (sideText (sideName scene side))) style
+    band side from to = Polyline [besideSide scene (placeOf scene frame) side s 0 | s <- [from, to]]
+
+-- | The seen pieces of sides, between two positions on each, 0 at its start and 1 at its end.
+seenPieces :: Scene -> ViewFigure -> [(SideId, Double, Double)]
+seenPieces scene figure = case figure of
+  ElementFigure q normal sights _ ->
+    [ (side, fromRational a, fromRational b)
+    | Sight from to (Side side) <- concat (inFront normal (joined sights))
+    , Just a <- [landing scene q from side]
+    , Just b <- [landing scene q to side]
+    ]
+  _ -> []
+
+-- | Where the line through a point meets that of a side, as a position on the side; nowhere if they are parallel.
+landing :: Scene -> Point -> Direction -> SideId -> Maybe Rational
+landing scene (Point qx qy) (Direction dx dy) side
+  | across == 0 = Nothing
+  | otherwise = Just (((qx - ax) * y - (qy - ay) * x) / across)
+  where
+    Point ax ay = cornerPoint scene (sideStart side)
+    Point bx by = cornerPoint scene (sideEnd scene side)
+    (x, y) = (fromInteger dx, fromInteger dy)
+    across = (bx - ax) * y - (by - ay) * x
+
+-- | The viewpoint, and the normal of an element.
+viewpointMarks :: Scene -> Frame -> ViewFigure -> [Mark]
+viewpointMarks scene frame figure = arrow <> map dot (viewpointOf figure)
+  where
+    place = placeOfPoint scene frame
+    dot q = Mark (maybe Text.empty cornerAsText (cornerHere scene q)) ViewpointDot (Dot (place q))
+    cornerAsText = Text.pack . cornerText . cornerName scene
+    arrow = case figure of
+      ElementFigure q normal _ _ -> arrowMarks (place q) (directionAngle normal) 4 30
+      _ -> []
+
+-- | An arrow from a place in a direction, from one distance to another.
+arrowMarks :: Place -> Double -> Double -> Double -> [Mark]
+arrowMarks (Place x y) angle near far =
+  [plain Arrow (Polyline [at near 0, at far 0]), plain Arrow (Polyline [at (far - 7) 4, at far 0, at (far - 7) (-4)])]
+  where
+    at ahead aside = Place (x + ahead * cos angle - aside * sin angle) (y + ahead * sin angle + aside * cos angle)
+
+-- | The corner at a point.
+cornerHere :: Scene -> Point -> Maybe CornerId
+cornerHere scene q = find ((== q) . cornerPoint scene) (corners scene)
+
+-- | The sides that are seen most, each with its form factor, and the side that sees.
+sideRequests :: Scene -> Frame -> ViewFigure -> [Request]
+sideRequests scene frame figure =
+  [Request name SideLabel name (seats side [(0, 1)]) | SideFigure side _ <- [figure], let name = sideAsText side]
+    <> [ Request (sideAsText side) SideLabel (sideAsText side <> ": " <> factorText value) (seats side (piecesOf side))
+       | (Side side, value) <- take labelledFactors (greatestFirst (factorsOf figure))
+       ]
+  where
+    sideAsText = Text.pack . sideText . sideName scene
+    piecesOf side = case figure of
+      ElementFigure {} -> [(a, b) | (seen, a, b) <- seenPieces scene figure, seen == side]
+      _ -> [(0, 1)]
+    seats side pieces =
+      [ Seat (besideSide scene place side (a + k * (b - a)) 0) outward pi
+      | k <- [1 / 2, 1 / 3, 2 / 3, 1 / 6, 5 / 6]
+      , (a, b) <- pieces
+      ]
+      where
+        place = placeOf scene frame
+        (Place x0 y0, Place x1 y1) = (place (sideStart side), place (sideEnd scene side))
+        outward = atan2 (x0 - x1) (y1 - y0)
+
+-- | How many form factors the caption states, and how many the labels.
+captionedFactors, labelledFactors :: Int
+captionedFactors = 6
+labelledFactors = 12
+
+factorsOf :: ViewFigure -> [(Object, RootSum)]
+factorsOf figure = case figure of
+  RegionFigure _ _ -> []
+  ElementFigure _ _ _ factors -> factors
+  SideFigure _ factors -> factors
+
+greatestFirst :: [(Object, RootSum)] -> [(Object, RootSum)]
+greatestFirst = sortOn (\(object, value) -> (Down value, object))
+
+-- | Three digits are enough for a figure.
+factorText :: RootSum -> Text
+factorText = Text.pack . maybe (const "") decimal (digits 3)
+
+titleOf :: Scene -> ViewFigure -> Text
+titleOf scene figure = case figure of
+  RegionFigure q _ -> "Seen from " <> maybe "a point: " (\c -> "corner " <> named c <> ": ") (cornerHere scene q)
+  ElementFigure {} -> "Seen from an element: "
+  SideFigure side _ -> "Seen from side " <> Text.pack (sideText (sideName scene side)) <> ": "
+  where
+    named = Text.pack . cornerText . cornerName scene
+
+factsOf :: Scene -> ViewFigure -> [Text]
+factsOf scene figure = case figure of
+  RegionFigure q (Region points unbounded) ->
+    [ "seen from " <> pointText q
+    , "a region of " <> counted (length points) "corner" "corners"
+    , case length unbounded of
+        0 -> "bounded"
+        k -> "open to the sky in " <> counted k "interval" "intervals" <> " of directions"
+    ]
+  ElementFigure q (Direction dx dy) _ _ ->
+    ["seen from " <> pointText q, "normal " <> pointText (Point (fromInteger dx) (fromInteger dy))] <> seen
+  SideFigure _ _ -> seen
+  where
+    pointText (Point x y) = "(" <> Text.pack (rationalText x) <> ", " <> Text.pack (rationalText y) <> ")"
+    factors = greatestFirst (factorsOf figure)
+    named = [counted k "side" "sides" | let k = length [() | (Side _, _) <- factors], k > 0]
+    sky = ["the sky" | any ((== Sky) . fst) factors]
+    nothing = ["nothing" | null factors]
+    seen = ("sees " <> Text.intercalate " and " (named <> sky <> nothing)) : introduced <> rest
+    introduced = zipWith (<>) ("form factors " : repeat "") stated
+    stated = [Text.pack (objectText scene object) <> ": " <> factorText value | (object, value) <- largest]
+    rest = [Text.pack ("and " <> show (length smaller) <> " smaller") | not (null smaller)]
+    (largest, smaller) = splitAt captionedFactors factors
+
+-- | What the legend explains besides polygons.
+entriesOf :: Scene -> ViewFigure -> [Entry]
+entriesOf scene figure =
+  [Entry (regionSwatch SeenRegion) "seen region" | not (null boundaries)]
+    <> [Entry (lineSwatch [SightLimit]) "limit of sight" | any (any isLimit) boundaries]
+    <> case figure of
+      RegionFigure _ _ -> [viewpoint]
+      ElementFigure {} -> [seenSide | seesSide] <> [viewpoint, Entry arrowSwatch "normal"]
+      SideFigure side _ ->
+        Entry (lineSwatch [SeeingSide]) ("side " <> Text.pack (sideText (sideName scene side))) : [seenSide | seesSide]
+  where
+    boundaries = boundariesOf scene figure
+    viewpoint = Entry (dotSwatch ViewpointDot) "viewpoint"
+    seenSide = Entry (lineSwatch [SeenSide]) "seen side"
+    arrowSwatch (Box l b r t) = arrowMarks (Place l ((b + t) / 2)) 0 0 (r - l)
+    seesSide = or [True | (Side _, _) <- factorsOf figure]

@@ -1,0 +1,100 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What is seen from a point, an element or a side, as JSON.
+module Visibility.Format.View
+  ( regionDocument
+  , elementDocument
+  , sideDocument
+  ) where
+
+import Data.Aeson (Key)
+import Data.Aeson.Encoding (Encoding, Series, list, pair, pairs, string)
+import qualified Data.Aeson.Encoding as Aeson
+import Data.ByteString.Builder (Builder, char7)
+import Data.List (sortOn)
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Direction (..))
+import Visibility.Exact.RootSum (RootSum)
+import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Exact.Rounding
+import Visibility.FormFactor
+import Visibility.Format.Factors (Detail (..), exactTerms)
+import Visibility.Scene
+import Visibility.Sight
+
+-- | The visibility polygon of a viewpoint.
+--
+-- /Shape/ @from@, for a corner also @corner@; @polygon@, its points; @unbounded@, directions, two and two of them an
+-- interval in which the sky is seen, counter-clockwise. All numbers are exact, as strings.
+--
+-- /Degenerate cases/ @unbounded@ is empty in a room; a full turn is @[["1","0"],["1","0"]]@, with an empty @polygon@.
+regionDocument :: Scene -> Viewpoint -> Region -> Builder
+regionDocument scene viewpoint seen =
+  document $
+    standing scene viewpoint
+      <> pair "polygon" (list point (regionPoints seen))
+      <> pair "unbounded" (list vector (concat [[from, to] | (from, to) <- regionUnbounded seen]))
+
+-- | The form factors of an element at a viewpoint, with a normal.
+--
+-- /Shape/ @from@, for a corner also @corner@; @normal@; @sees@, an entry for each object whose factor is not exactly
+-- zero: sides by name, the sky last. @value@ is a decimal, correctly rounded to so many digits; with exact measures
+-- there is also @exact@, the factor as Σ coefficient·√radicand.
+elementDocument :: Detail -> Digits -> Scene -> Viewpoint -> Direction -> [(Object, RootSum)] -> Builder
+elementDocument detail wanted scene viewpoint normal factors =
+  document $
+    standing scene viewpoint
+      <> pair "normal" (vector normal)
+      <> pair "sees" (list entry (sortOn (nameOrder scene . fst) (filter (notZero . snd) merged)))
+  where
+    merged = [(object, RootSum.merged value) | (object, value) <- factors]
+    entry (object, value) = seenEntry wanted scene object value (exactly detail "exact" value)
+
+-- | The form factors of a side.
+--
+-- /Shape/ @side@; @sees@ as in 'elementDocument', with exact measures @measure@, Σ coefficient·√radicand = 2·L·F.
+--
+-- /Requires/ the factors of this side; those of other sides are left out.
+sideDocument :: Detail -> Digits -> Scene -> SideId -> [FormFactor] -> Builder
+sideDocument detail wanted scene side factors =
+  document $
+    pair "side" (string (sideText (sideName scene side)))
+      <> pair "sees" (list entry (sortOn (nameOrder scene . factorTo) own))
+  where
+    own = [factor | factor <- factors, factorFrom factor == side, notZero (factorValue factor)]
+    entry factor =
+      seenEntry wanted scene (factorTo factor) (factorValue factor) $
+        exactly detail "measure" (factorMeasure factor)
+
+standing :: Scene -> Viewpoint -> Series
+standing scene viewpoint =
+  pair "from" (point (viewpointAt scene viewpoint))
+    <> mconcat [pair "corner" (string (cornerText (cornerName scene c))) | AtCorner c <- [viewpoint]]
+
+document :: Series -> Builder
+document parts = Aeson.fromEncoding (pairs (pair "format" (string "viscomplex/1") <> parts)) <> char7 '\n'
+
+seenEntry :: Digits -> Scene -> Object -> RootSum -> Series -> Encoding
+seenEntry wanted scene object value exact =
+  pairs $
+    pair "id" (string (objectText scene object)) <> pair "value" (string (decimal wanted value)) <> exact
+
+exactly :: Detail -> Key -> RootSum -> Series
+exactly detail key value = case detail of
+  DecimalsOnly -> mempty
+  WithExactMeasures -> pair key (exactTerms value)
+
+notZero :: RootSum -> Bool
+notZero value = RootSum.sign value /= RootSum.Zero
+
+-- | Sides by their names, the sky last.
+nameOrder :: Scene -> Object -> (Int, Maybe SideName)
+nameOrder scene object = case object of
+  Side side -> (0, Just (sideName scene side))
+  Sky -> (1, Nothing)
+
+point :: Point -> Encoding
+point (Point x y) = list (string . rationalText) [x, y]
+
+vector :: Direction -> Encoding
+vector (Direction x y) = list (string . show) [x, y]
