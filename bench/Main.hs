@@ -20,12 +20,16 @@ import System.Environment (getArgs)
 import System.Exit (die)
 import System.Mem (performGC)
 import Visibility.Complex (complexOf, faceIds)
+import Visibility.Complex.Walk (Look (..), locator, lookAround)
+import Visibility.Exact.Point (Point (..))
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Law (broken)
-import Visibility.Scene (Scene, cornerCount)
+import Visibility.Scene (Scene, cornerCount, cornerPoint, corners)
 import Visibility.Scene.Family
 import Visibility.Scene.Validate (validate)
+import Visibility.Sight (Viewpoint (..))
 import Visibility.Sweep (finish, pairsSwept, stepsTaken, straightVertices, vertices)
+import Visibility.Test.Scan (scan)
 import Visibility.View (events)
 
 main :: IO ()
@@ -57,6 +61,30 @@ main = do
           name = Text.unpack (familyName kind)
       putStrLn (row [name, show (cornerCount scene), show count, each a, each b, ratio b, each c, ratio c])
   putStrLn ""
+  putStrLn (row ["view", "corners", "faces/view", "us/view", "us/face", "scan us", "scan/walk"])
+  forM_ [c | c <- ladder Random, c >= 32] $ \count -> do
+    let scene = sceneOf Random count
+        index = locator (complexOf scene)
+        places = lookouts scene
+        faces = sum [lookSteps look | Right look <- map (lookAround index . AtPoint) places]
+        perView = 1e6 / fromIntegral (length places)
+    [walking] <- bestTimes [index] (\found -> sum [length (lookSights look) | Right look <- map (lookAround found . AtPoint) places])
+    scanning <-
+      if cornerCount scene > 2048
+        then pure []
+        else bestTimes [scene] (\s -> sum [length sights | Right sights <- map (scan s) (take 4 places)])
+    putStrLn . row $
+      [ "random"
+      , show (cornerCount scene)
+      , showFFloat (Just 1) (fromIntegral faces / fromIntegral (length places) :: Double) ""
+      , showFFloat (Just 1) (walking * perView) ""
+      , showFFloat (Just 2) (walking * 1e6 / fromIntegral faces) ""
+      ]
+        <> concat
+          [ [showFFloat (Just 0) (seconds * 1e6 / 4) "", showFFloat (Just 0) (seconds / 4 / (walking * perView * 1e-6)) ""]
+          | seconds <- scanning
+          ]
+  putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
   let scenes = map (sceneOf Random) [25, 100, 400]
   times <- bestTimes scenes (\s -> length (measureList s (measures s (events s (vertices s)))))
@@ -84,6 +112,17 @@ sceneOf kind n = case fmap (\k -> validate (family kind k (Seed 1))) (size n) of
   Just (Right scene) -> scene
   _ -> broken "a generated scene is valid" (show (kind, n))
 
+-- | Places in and around a scene, in free space or on a boundary, none of them special.
+lookouts :: Scene -> [Point]
+lookouts scene = take 40 [p | p <- candidates, Right _ <- [lookAround index (AtPoint p)]]
+  where
+    index = locator (complexOf scene)
+    points = map (cornerPoint scene) (corners scene)
+    candidates =
+      [ Point ((ax + 2 * bx) / 3 + 1 / 1000) ((ay + 2 * by) / 3 + 1 / 999)
+      | (Point ax ay, Point bx by) <- zip points (drop 7 (cycle (reverse points)))
+      ]
+
 data Rung = Rung
   { rungCorners :: !Int
   , rungPairs :: !Int
@@ -106,7 +145,7 @@ measured scene seconds = do
 -- | The least processor time of some work on each scene. The scenes take turns, so that a machine that is slower for a
 -- while is so for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that
 -- no run can share the result of another.
-bestTimes :: [Scene] -> (Scene -> Int) -> IO [Double]
+bestTimes :: [a] -> (a -> Int) -> IO [Double]
 bestTimes scenes work = do
   cells <- mapM newIORef scenes
   turns <- replicateM rounds (mapM turn cells)

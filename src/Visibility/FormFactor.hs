@@ -12,6 +12,7 @@ module Visibility.FormFactor
     -- * Form factors
   , FormFactor (..)
   , formFactors
+  , formFactor
   , sideLength
     -- * Laws
   , closureDefect
@@ -139,21 +140,22 @@ data FormFactor = FormFactor
 -- /Laws/ Σ_t F_st = 1 (closure); L_s F_st = L_t F_ts (reciprocity); both exact.
 formFactors :: Scene -> Measures -> [FormFactor]
 formFactors scene sums =
-  [ FormFactor s t total (perLength s total)
+  [ formFactor scene s t total
   | s <- sortOn (sideName scene) (sides scene)
-  , (t, total) <- sortOn (orderOf . fst) (bySide V.! indexOf s)
+  , (t, total) <- sortOn (objectOrder scene . fst) (bySide V.! indexOf s)
   ]
   where
     bySide = V.accumulate (flip (:)) (V.replicate (cornerCount scene) []) (V.fromList entries)
     entries = concatMap both (measureList scene sums)
     both ((a, b), total) = [(indexOf s, (b, total)) | Side s <- [a]] <> [(indexOf s, (a, total)) | Side s <- [b]]
     indexOf (SideId s) = s
-    orderOf (Side t) = (0 :: Int, Just (sideName scene t))
-    orderOf Sky = (1, Nothing)
-    perLength s total =
-      case RootSum.terms (sideLength scene s) of
-        [(c, n)] | Just value <- RootSum.quotientByRoot total (2 * c) n -> value
-        _ -> broken "a side has a length" (sideText (sideName scene s))
+
+-- | The form factor from a side to an object, from the measure of the lines between them in the file's units.
+formFactor :: Scene -> SideId -> Object -> RootSum -> FormFactor
+formFactor scene s t total = FormFactor s t total $
+  case RootSum.terms (sideLength scene s) of
+    [(c, n)] | Just value <- RootSum.quotientByRoot total (2 * c) n -> value
+    _ -> broken "a side has a length" (sideText (sideName scene s))
 
 -- | The length of a side in the file's units, a single root.
 sideLength :: Scene -> SideId -> RootSum

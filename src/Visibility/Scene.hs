@@ -34,6 +34,7 @@ module Visibility.Scene
   , sideEnd
   , sideMaterial
   , objectText
+  , objectOrder
     -- * Names
   , module Visibility.Scene.Id
   ) where

@@ -13,8 +13,6 @@ module Visibility.Sight
     -- * Form factors of an element
   , elementFactors
     -- * Directions around a point
-  , reversed
-  , lowestTerms
   , compareAround
   ) where
 
@@ -67,7 +65,7 @@ joined sights = case (splitAround apart plain, splitAround unlike plain) of
   (Nothing, Just fromChange) -> sortBy (compareAround `on` sightFrom) (merged fromChange)
   (Nothing, Nothing) -> [Sight (Direction 1 0) (Direction 1 0) (sightObject s) | s <- take 1 plain]
   where
-    plain = [Sight (lowestTerms from) (lowestTerms to) object | Sight from to object <- sights]
+    plain = [Sight (primitive from) (primitive to) object | Sight from to object <- sights]
     apart a b = sightTo a /= sightFrom b
     unlike a b = sightObject a /= sightObject b
     merged = foldr attach []
@@ -177,7 +175,7 @@ elementFactors normal sights =
   , not (null (RootSum.terms total))
   ]
   where
-    Direction nx ny = lowestTerms normal
+    Direction nx ny = primitive normal
     rightmost = Direction ny (negate nx)
     weight (Sight from to _) = RootSum.scaled (1 % 2) (swept from to)
     -- Angles are taken from the rightmost direction on; what is behind the element counts as its leftmost direction.
@@ -193,18 +191,10 @@ elementFactors normal sights =
       | ahead <= 0 = one
       | otherwise = RootSum.hypotenuse (aside % (ahead * ahead + aside * aside)) ahead aside
       where
-        Direction dx dy = lowestTerms d
+        Direction dx dy = primitive d
         ahead = nx * dx + ny * dy
         aside = nx * dy - ny * dx
-    along a b = lowestTerms a == lowestTerms b
-
--- | The opposite direction.
-reversed :: Direction -> Direction
-reversed (Direction x y) = Direction (negate x) (negate y)
-
--- | The same direction as a primitive vector.
-lowestTerms :: Direction -> Direction
-lowestTerms (Direction x y) = let g = max 1 (gcd x y) in Direction (x `quot` g) (y `quot` g)
+    along a b = primitive a == primitive b
 
 -- | The order of rays by angle, turning counter-clockwise from (1, 0) on for one full turn.
 compareAround :: Direction -> Direction -> Ordering

@@ -64,12 +64,6 @@ canonicalNumbering complex =
     -- At one vertex, faces are numbered from above downwards.
     faceOrder = sortBy (comparing place <> comparing labels) (faceIds complex)
     place f = maybe (length vertexOrder) rank (faceFirst complex f)
-    labels f = (named (faceBack complex f), named (faceFront complex f))
-    named (Side s) = Named (sideName scene s)
-    named Sky = TheSky
+    labels f = (objectOrder scene (faceBack complex f), objectOrder scene (faceFront complex f))
     faceRanks = ranks [f | FaceId f <- faceOrder]
     ranks order = U.replicate (length order) 0 U.// zip order [0 ..]
-
--- | The name of an object, the sky after all sides.
-data Named = Named !SideName | TheSky
-  deriving (Eq, Ord)

@@ -20,6 +20,7 @@ module Visibility.Exact.Predicate
   , compareDirections
   , upwards
   , primitive
+  , reversed
   ) where
 
 import Data.Int (Int32, Int64)
@@ -167,3 +168,7 @@ upwards = Direction 0 1
 -- | The same direction in lowest terms.
 primitive :: Direction -> Direction
 primitive (Direction x y) = let g = max 1 (gcd x y) in Direction (x `quot` g) (y `quot` g)
+
+-- | The opposite direction.
+reversed :: Direction -> Direction
+reversed (Direction x y) = Direction (negate x) (negate y)

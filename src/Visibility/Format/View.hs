@@ -45,7 +45,7 @@ elementDocument detail wanted scene viewpoint normal factors =
   document $
     standing scene viewpoint
       <> pair "normal" (vector normal)
-      <> pair "sees" (list entry (sortOn (nameOrder scene . fst) (filter (notZero . snd) merged)))
+      <> pair "sees" (list entry (sortOn (objectOrder scene . fst) (filter (notZero . snd) merged)))
   where
     merged = [(object, RootSum.merged value) | (object, value) <- factors]
     entry (object, value) = seenEntry wanted scene object value (exactly detail "exact" value)
@@ -59,7 +59,7 @@ sideDocument :: Detail -> Digits -> Scene -> SideId -> [FormFactor] -> Builder
 sideDocument detail wanted scene side factors =
   document $
     pair "side" (string (sideText (sideName scene side)))
-      <> pair "sees" (list entry (sortOn (nameOrder scene . factorTo) own))
+      <> pair "sees" (list entry (sortOn (objectOrder scene . factorTo) own))
   where
     own = [factor | factor <- factors, factorFrom factor == side, notZero (factorValue factor)]
     entry factor =
@@ -86,12 +86,6 @@ exactly detail key value = case detail of
 
 notZero :: RootSum -> Bool
 notZero value = RootSum.sign value /= RootSum.Zero
-
--- | Sides by their names, the sky last.
-nameOrder :: Scene -> Object -> (Int, Maybe SideName)
-nameOrder scene object = case object of
-  Side side -> (0, Just (sideName scene side))
-  Sky -> (1, Nothing)
 
 point :: Point -> Encoding
 point (Point x y) = list (string . rationalText) [x, y]

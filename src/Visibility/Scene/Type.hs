@@ -34,6 +34,7 @@ module Visibility.Scene.Type
   , sideEnd
   , sideMaterial
   , objectText
+  , objectOrder
   ) where
 
 import Data.Char (isControl)
@@ -143,7 +144,7 @@ assemble title polygons =
 
     -- The corners of a polygon with the solid on their left, each with the name and material of the side it starts.
     solidLeft polygon
-      | length loop > 2, orientation (map fst loop) /= wanted = reversed
+      | length loop > 2, orientation (map fst loop) /= wanted = backwardLoop
       | otherwise = [(c, SideName p k, m) | ((c, k), m) <- zip loop (validMaterials polygon)]
       where
         p = validId polygon
@@ -153,7 +154,7 @@ assemble title polygons =
           ]
         wanted = if p == Enclosure then RightTurn else LeftTurn
         -- Backwards from corner 0: the side that starts at file corner k is then file side k − 1.
-        reversed =
+        backwardLoop =
           let backwards = take 1 loop <> reverse (drop 1 loop)
               sidesBack = reverse (zip [0 ..] (validMaterials polygon))
            in [(c, SideName p k, m) | ((c, _), (k, m)) <- zip backwards sidesBack]
@@ -236,3 +237,8 @@ sideMaterial scene (SideId s) = materials scene V.! s
 objectText :: Scene -> Object -> String
 objectText scene (Side s) = sideText (sideName scene s)
 objectText _ Sky = "sky"
+
+-- | What to sort objects by: sides by their names, the sky last.
+objectOrder :: Scene -> Object -> (Int, Maybe SideName)
+objectOrder scene (Side s) = (0, Just (sideName scene s))
+objectOrder _ Sky = (1, Nothing)

@@ -80,14 +80,14 @@ data Vertical = Vertical
   }
   deriving (Eq, Show)
 
--- | A side that crosses the vertical, from its end that comes first by the heading to the other. Both sides of a thin wall
--- are one crossing.
+-- | A side that crosses the vertical, from its end that comes first by the heading to the other. Both sides of a thin
+-- wall are one crossing.
 data Crossing = Crossing !Int !Int
 
 -- | The side of a crossing that is free above it, or 'solid'.
 --
--- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it above. A
--- thin wall has a side of each kind.
+-- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it
+-- above. A thin wall has a side of each kind.
 freeAbove :: Scene -> Crossing -> Int
 freeAbove scene (Crossing a b) = if following scene b == a then b else solid
 
@@ -131,8 +131,9 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
     ceilingOf (Row _ x _) = x
     targetOf (Row _ _ x) = x
 
--- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k, from
--- before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below a point.
+-- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k,
+-- from before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below
+-- a point.
 --
 -- /Cost/ O(n log n) time and memory: the sets share most of their nodes.
 slabs :: Scene -> V.Vector (Set Crossing)

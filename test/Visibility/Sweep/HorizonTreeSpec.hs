@@ -6,13 +6,13 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point (Vector2 (..))
 import Visibility.Exact.Predicate
+import Visibility.Ray
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Sweep.HorizonTree
 import Visibility.Sweep.Topological (Sweep (..))
 import Visibility.Sweep.Vertical
 import Visibility.Test.Generator
-import Visibility.Test.Ray (Sight (..), shoot)
 
 spec :: Spec
 spec =
@@ -47,8 +47,8 @@ spec =
     tree Leftward = leftTree
     cornerTarget (ToCorner c) = Just c
     cornerTarget _ = Nothing
-    allowed (Sees (Side side)) = [ToCeiling side]
-    allowed (Sees Sky) = [ToSky]
+    allowed (Meets (Side side)) = [ToCeiling side]
+    allowed (Meets Sky) = [ToSky]
     allowed Solid = [NoTarget]
     -- After the half turn the right-going ray is the one that was the left-going one before it.
     upward scene Rightward c = shoot scene c (opposed (steep scene))

@@ -6,11 +6,11 @@ import Test.Hspec hiding (before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Predicate
+import Visibility.Ray
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Sweep.Vertical
 import Visibility.Test.Generator
-import Visibility.Test.Ray
 
 spec :: Spec
 spec = do
@@ -49,7 +49,7 @@ spec = do
           , conjoin [property (and (zipWith (before h) (along h n) (drop 1 (along h n)))) | h <- [minBound ..]]
           ]
   where
-    sight (Sees object) = Just object
+    sight (Meets object) = Just object
     sight Solid = Nothing
     turned Rightward d = d
     turned Leftward (Direction x y) = Direction (-x) (-y)

@@ -1,0 +1,83 @@
+-- | What must hold of the complex of a scene: named laws, each decided exactly from the tables and the scene,
+-- whatever made the tables.
+--
+-- +-----------------------------------------------+-------------------------------------------+
+-- | law about                                     | cost                                      |
+-- +===============================================+===========================================+
+-- | tables, links, labels, chains, numbers        | O(incidences)                             |
+-- +-----------------------------------------------+-------------------------------------------+
+-- | the vertices; measures                        | a sweep; a sum of roots per face          |
+-- +-----------------------------------------------+-------------------------------------------+
+-- | elementary pairs, rays                        | O(n) for each pair or stretch             |
+-- +-----------------------------------------------+-------------------------------------------+
+-- | sections                                      | O(n²) for each of eight directions        |
+-- +-----------------------------------------------+-------------------------------------------+
+module Visibility.Complex.Law
+  ( Law (..)
+  , laws
+  , checked
+  , violations
+  ) where
+
+import Visibility.Complex.Law.Base
+import Visibility.Complex.Law.Face
+import Visibility.Complex.Law.Local
+import Visibility.Complex.Law.Measure
+import Visibility.Complex.Law.Section
+import Visibility.Complex.Law.Table
+import Visibility.Complex.Quotient
+import Visibility.Complex.Type (Complex)
+import Visibility.Law
+
+-- | All laws. The first one says that the tables are well formed; the others may be asked of well-formed tables only,
+-- with whatever values.
+laws :: [Law]
+laws = wellFormed : others
+
+others :: [Law]
+others =
+  [ vertexStretches
+  , cornerLinks
+  , cornerDirections
+  , cornersOnLine
+  , pairsSee
+  , sweptVertices
+  , solidEnds
+  , degrees
+  , stretchLabels
+  , incidence
+  , boundedChains
+  , outerChain
+  , pairFaces
+  , counts
+  , positiveMeasures
+  , summedMeasures
+  , closedMeasures
+  , raysConfirm
+  , sections
+  ]
+
+-- | Each law with what violates it in a complex: first the laws of the complex, then, if they all hold, those of its
+-- polygon-labelled quotient. If the tables are not well formed, this law alone.
+checked :: Complex -> [(Law, [Violation])]
+checked complex
+  | all (null . snd) verdicts = verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient complex)]
+  | otherwise = verdicts
+  where
+    verdicts = case lawViolations wellFormed complex of
+      [] -> (wellFormed, []) : [(law, lawViolations law complex) | law <- others]
+      found -> [(wellFormed, found)]
+
+-- | The laws of the quotient of a complex, which is made once.
+ofQuotient :: Quotient -> [Law]
+ofQuotient made =
+  [Law (quotientLawName law) (quotientLawStatement law) (const (quotientLawViolations law made)) | law <- quotientLaws]
+
+-- | Everything that is wrong with a complex, law by law; nothing for one that "Visibility.Complex.Build" makes. If the
+-- tables are not well formed, only how.
+--
+-- /Degenerate cases/ a scene under 'Visibility.Exact.Point.UnsafeDouble' is judged by exact signs all the same.
+--
+-- /Cost/ O(n) for each stretch, for the rays; see 'laws'.
+violations :: Complex -> [Violation]
+violations = concatMap snd . checked

@@ -1,0 +1,209 @@
+-- | The laws of the complex around one stretch or one vertex.
+module Visibility.Complex.Law.Local
+  ( solidEnds
+  , degrees
+  , stretchLabels
+  , raysConfirm
+    -- * Samples
+  , samplesOf
+  ) where
+
+import Data.List (nub)
+import Data.Maybe (isJust)
+import Visibility.Complex.Law.Base
+import Visibility.Complex.Type
+import Visibility.Exact.Predicate
+import Visibility.Ray
+import Visibility.Scene
+import Visibility.View (End (..), Flank (..), View (..))
+
+-- Note [Degrees]
+-- ~~~~~~~~~~~~~~
+-- Count, at a direction just before a vertex, the faces at the curve of each of its corners: 3, 2 or 1 where 2, 1 or
+-- none of its two rays are free, in sum S. A face counted at two curves lies between them and shrinks to nothing at
+-- the vertex: the vertex closes it. No face is counted three times, as at one direction it is one interval of
+-- offsets. So with C faces closed, S − C faces are there just before, and S − 2C of them go on. Just after the vertex
+-- as many are opened as were closed (each elementary pair closes one and opens one, the pair of a thin wall's ends
+-- two and two), and the same faces go on. So there are S − 2C + C + C = S faces at the vertex, and the same sum S
+-- just after it. A face that comes back after half a turn, read backwards, counts as another one.
+--
+-- Edges: one for each corner and each of the two moments at which one of its rays is free at least.
+--
+-- +---------------------------------------+-------+-------+
+-- | vertex of two corners                 | edges | faces |
+-- +=======================================+=======+=======+
+-- | tangent and tangent, or a thin wall   | 4     | 6     |
+-- +---------------------------------------+-------+-------+
+-- | tangent and ending                    | 4     | 5     |
+-- +---------------------------------------+-------+-------+
+-- | ending and ending                     | 4     | 4     |
+-- +---------------------------------------+-------+-------+
+-- | side between two convex corners       | 4     | 5     |
+-- +---------------------------------------+-------+-------+
+-- | side between a convex and a reflex one| 3     | 4     |
+-- +---------------------------------------+-------+-------+
+-- | side between two reflex corners       | 2     | 3     |
+-- +---------------------------------------+-------+-------+
+--
+-- On a side's line, the convex corner's rays are both free on one side of the vertex, one of them on the other. A
+-- reflex corner has one free ray at one moment and none at the other, and it is buried when the other end sees past
+-- it: so 3 + 2 for two convex corners, 2 + 2 and 1 + 3 for a convex and a reflex one, and 2 + 1 for two reflex ones.
+
+-- | /Cost/ O(stretches).
+solidEnds :: Law
+solidEnds =
+  lawOf
+    "a ray is solid where it enters the solid at its corner"
+    "During a stretch the rays of its corner that enter the solid there, by the two sides of the corner, are those \
+    \that the view leaves out, and the following corner is on the flank that the table says: just after the vertex \
+    \where the stretch begins and just before the one where it ends. So the edges of a corner cover exactly the \
+    \directions in which it is not buried."
+    $ \complex ->
+      [ stretchLabel complex e <> ", at its " <> place <> ": the rays " <> show found <> ", the tables " <> show told
+      | e <- [0 .. stretchTotal complex - 1]
+      , let told = (entry (stretchBacks complex) e < 0, entry (stretchFronts complex) e < 0, flankOf complex e)
+      , let scene = complexScene complex
+      , let c = edgeCorner complex (EdgeId e)
+      , (place, moment, d) <-
+          [("beginning", JustAfter, edgeFrom complex (EdgeId e)), ("end", JustBefore, turnedTo complex e)]
+      , let found = (entersSolid scene moment c (reversed d), entersSolid scene moment c d, nextFlank scene moment c d)
+      , found /= told
+      ]
+
+flankOf :: Complex -> Int -> Flank
+flankOf complex e = if entry (stretchFlanks complex) e == 1 then Above else Below
+
+-- | The direction where a stretch ends, reached from its beginning by turning left.
+turnedTo :: Complex -> Int -> Direction
+turnedTo complex e
+  | wrapsAround complex (EdgeId e) = reversed (edgeTo complex (EdgeId e))
+  | otherwise = edgeTo complex (EdgeId e)
+
+-- | /Cost/ O(stretches).
+degrees :: Law
+degrees =
+  lawOf
+    "a vertex has the edges and faces that its corners demand"
+    "At each corner of a vertex, just before and just after it, 3, 2 or 1 faces meet where 2, 1 or none of the \
+    \corner's rays are free, and none free means no edge. A stretch has as many faces; a vertex has as many edges as \
+    \there are free corners before and after, and as many faces as the sum over its corners, before as after. Two \
+    \corners: 4 edges and 6 faces where both are tangent, 5 for tangent and ending, 4 for ending and ending; on a \
+    \side 4 and 5 between convex corners, 3 and 4 between a convex and a reflex one, 2 and 3 between reflex ones."
+    check
+  where
+    check complex = concatMap stretch [0 .. stretchTotal complex - 1] <> concatMap vertex [0 .. vertexTotal complex - 1]
+      where
+        scene = complexScene complex
+        read' = readings complex
+        free moment d c = length (filter (not . entersSolid scene moment (CornerId c)) [d, reversed d])
+        stretch e =
+          [ stretchLabel complex e <> " has " <> show have <> " faces, not " <> show want
+          | let have = length (nub (facesAt e))
+          , let want = 1 + free JustAfter (edgeFrom complex (EdgeId e)) (entry (stretchCorners complex) e)
+          , have /= want
+          ]
+        facesAt e = [f | q <- [4 * e .. 4 * e + 3], let f = entry (stretchFaces complex) q, f >= 0]
+        vertex v =
+          [ vertexLabel complex v <> " has " <> show have <> " edges and faces, not " <> show want
+              <> (if sum before == sum after then "" else ", and " <> show (sum after) <> " faces after it")
+          | let d = lineOf complex v
+          , let line = cornersOf complex v
+          , let before = map ((+ 1) . free JustBefore d) line
+          , let after = map ((+ 1) . free JustAfter d) line
+          , let want = (length (filter (> 1) (before <> after)), sum before)
+          , let beginning = stretchesOf complex v
+          , let ending = map (entry (stretchesBefore complex)) beginning
+          , let have = (length (filter (isEdge complex . EdgeId) (beginning <> ending)), around beginning ending)
+          , have /= want || sum before /= sum after
+          ]
+        around beginning ending =
+          length . nub $
+            [place (const id) q | e <- beginning, q <- [4 * e .. 4 * e + 3], entry (stretchFaces complex) q >= 0]
+              <> [ place (if wrapsAround complex (EdgeId e) then const opposed else const id) q
+                 | e <- ending
+                 , q <- [4 * e .. 4 * e + 3]
+                 , entry (stretchFaces complex) q >= 0
+                 ]
+        place turned q = (entry (stretchFaces complex) q, turned q <$> readingAt read' q)
+    opposed AsItIs = Backwards
+    opposed Backwards = AsItIs
+
+-- | /Cost/ O(stretches).
+stretchLabels :: Law
+stretchLabels =
+  lawOf
+    "the faces at a stretch see what its view demands"
+    "With the side that leaves the corner and the one that arrives there, the view tells the objects at the back and \
+    \at the front on each quarter. The face there has them, read as the stretch is where the face has it before the \
+    \end of the half turn, and backwards where it has it after; no face where the solid is."
+    check
+  where
+    check complex =
+      [ stretchLabel complex e <> " has " <> show quarter <> " " <> faceLabel complex f <> shown reading <> ", not "
+          <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
+      | e <- [0 .. stretchTotal complex - 1]
+      , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
+      , let q = 4 * e + fromEnum quarter
+      , let f = entry (stretchFaces complex) q
+      , let reading = readingAt read' q
+      , f < 0 && isJust want || f >= 0 && want `notElem` map Just (labels f reading)
+      ]
+      where
+        read' = readings complex
+        label f = (faceBack complex (FaceId f), faceFront complex (FaceId f))
+        swap (a, b) = (b, a)
+        labels f (Just AsItIs) = [label f]
+        labels f (Just Backwards) = [swap (label f)]
+        labels f Nothing = [label f, swap (label f)]
+        shown (Just Backwards) = " read backwards"
+        shown _ = ""
+
+-- | The objects at back and front on each quarter of a corner's line under a view.
+demands :: Scene -> CornerId -> View -> [(Quarter, Maybe (Object, Object))]
+demands scene c view = zip [AboveBack, AboveFront, BelowBack, BelowFront] $ case view of
+  Tangent Above b f -> [Just (b, arriving), Just (leaving, f), Just (b, f), Just (b, f)]
+  Tangent Below b f -> [Just (b, f), Just (b, f), Just (b, leaving), Just (arriving, f)]
+  Ending Front b -> [Just (b, arriving), Nothing, Just (b, leaving), Nothing]
+  Ending Back f -> [Nothing, Just (leaving, f), Nothing, Just (arriving, f)]
+  Buried Above -> [Just (leaving, arriving), Just (leaving, arriving), Nothing, Nothing]
+  Buried Below -> [Nothing, Nothing, Just (arriving, leaving), Just (arriving, leaving)]
+  where
+    CornerId start = c
+    CornerId previous = previousCorner scene c
+    leaving = Side (SideId start)
+    arriving = Side (SideId previous)
+
+-- | /Cost/ O(stretches · n), in machine integers where coordinates are below 2³⁰.
+raysConfirm :: Law
+raysConfirm =
+  lawOf
+    "rays confirm every view"
+    "Rays shot from the corner at a direction within each stretch, backward and forward, see what the view says. A \
+    \stretch that goes on over the end of the half turn is tried before it and after it."
+    $ \complex ->
+      let rays = raysIn (complexScene complex)
+       in [ stretchLabel complex e <> " sees " <> shown complex told <> ", but rays along " <> show (x, y) <> " see "
+              <> shown complex seen
+          | e <- [0 .. stretchTotal complex - 1]
+          , let told = edgeView complex (EdgeId e)
+          , d@(Direction x y) <- samplesOf complex (EdgeId e)
+          , let seen = viewFrom rays (edgeCorner complex (EdgeId e)) d
+          , told /= seen
+          ]
+  where
+    shown complex view = case view of
+      Tangent flank b f -> objects complex [b, f] <> ", tangent to the polygon " <> show flank
+      Ending Front b -> objects complex [b] <> " at the back only"
+      Ending Back f -> objects complex [f] <> " in front only"
+      Buried flank -> "nothing, buried with its free cone " <> show flank
+    objects complex = unwords . map (objectLabel complex . Just)
+
+-- | Directions within a stretch, reached from its beginning by turning left: one, or one before the end of the half
+-- turn and one after it.
+samplesOf :: Complex -> EdgeId -> [Direction]
+samplesOf complex e
+  | wrapsAround complex e = [between from upwards | directionTurn from upwards /= Collinear] <> [between upwards to]
+  | otherwise = [between from to]
+  where
+    from = edgeFrom complex e
+    to = let EdgeId i = e in turnedTo complex i

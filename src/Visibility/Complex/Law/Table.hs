@@ -1,0 +1,224 @@
+-- | The laws of the tables themselves, of vertices and of the stretches along each corner.
+module Visibility.Complex.Law.Table
+  ( wellFormed
+  , vertexStretches
+  , cornerLinks
+  , cornerDirections
+  , cornersOnLine
+  , pairsSee
+  , sweptVertices
+  ) where
+
+import Data.Int (Int32)
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Law.Base
+import Visibility.Complex.Type
+import Visibility.Exact.Predicate
+import Visibility.Ray
+import Visibility.Scene
+import Visibility.Sweep
+import Visibility.Sweep.Vertical (skyCode)
+
+-- | Lengths fit, and every number is one of something. /Cost/ O(size of the tables).
+wellFormed :: Law
+wellFormed =
+  lawOf
+    "the tables are well formed"
+    "All tables of one kind have one length, every number in them stands for something that exists, and rows that \
+    \are cut out of a table follow each other."
+    check
+  where
+    check complex =
+      concat
+        [ lengths
+        , bounded "vertexStarts" vertexStarts 0 e
+        , bounded "stretchCorners" stretchCorners 0 (n - 1)
+        , bounded "stretchVertices" stretchVertices 0 (v - 1)
+        , bounded "stretchesBefore" stretchesBefore 0 (e - 1)
+        , bounded "stretchesAfter" stretchesAfter 0 (e - 1)
+        , bounded "stretchBacks" stretchBacks (-1) sky
+        , bounded "stretchFronts" stretchFronts (-1) sky
+        , bounded "stretchFlanks" stretchFlanks 0 1
+        , bounded "stretchFaces" stretchFaces (-1) (f - 1)
+        , bounded "lastStretches" lastStretches 0 (e - 1)
+        , bounded "faceFirsts" faceFirsts (-1) (v - 1)
+        , bounded "faceLasts" faceLasts (-1) (v - 1)
+        , bounded "faceBacks" faceBacks 0 sky
+        , bounded "faceFronts" faceFronts 0 sky
+        , bounded "chains" chains 0 (e - 1)
+        , if null lengths then rows else []
+        ]
+      where
+        n = cornerCount (complexScene complex)
+        v = vertexTotal complex
+        e = stretchTotal complex
+        f = faceTotal complex
+        sky = case surroundings (complexScene complex) of
+          OpenSky -> skyCode (complexScene complex)
+          Room -> skyCode (complexScene complex) - 1
+        lengths =
+          [ name <> " has " <> show found <> " entries, not " <> show expected
+          | (name, found, expected) <-
+              [ ("vertexStarts", U.length (vertexStarts complex), max 1 (v + 1))
+              , ("stretchVertices", U.length (stretchVertices complex), e)
+              , ("stretchesBefore", U.length (stretchesBefore complex), e)
+              , ("stretchesAfter", U.length (stretchesAfter complex), e)
+              , ("stretchBacks", U.length (stretchBacks complex), e)
+              , ("stretchFronts", U.length (stretchFronts complex), e)
+              , ("stretchFlanks", U.length (stretchFlanks complex), e)
+              , ("stretchFaces", U.length (stretchFaces complex), 4 * e)
+              , ("lastStretches", U.length (lastStretches complex), n)
+              , ("faceLasts", U.length (faceLasts complex), f)
+              , ("faceBacks", U.length (faceBacks complex), f)
+              , ("faceFronts", U.length (faceFronts complex), f)
+              , ("upperStarts", U.length (upperStarts complex), f + 1)
+              , ("lowerStarts", U.length (lowerStarts complex), f)
+              , ("upperTurns", U.length (upperTurns complex), f)
+              , ("lowerTurns", U.length (lowerTurns complex), f)
+              ]
+          , found /= expected
+          ]
+        bounded :: String -> (Complex -> U.Vector Int32) -> Int -> Int -> [String]
+        bounded name table low high =
+          [ name <> " has " <> show x <> " at " <> show i <> ", not one of " <> show low <> " to " <> show high
+          | (i, x) <- zip [0 :: Int ..] (map fromIntegral (U.toList (table complex)))
+          , x < low || x > high
+          ]
+        rows =
+          [ "vertexStarts does not rise by 2 or more from 0 to the number of stretches"
+          | let starts = U.toList (vertexStarts complex)
+          , or (zipWith (\a b -> b - a < 2) starts (drop 1 starts))
+              || take 1 starts /= [0]
+              || U.last (vertexStarts complex) /= fromIntegral e
+          ]
+            <> [ "the chains of face " <> show i <> " overlap: " <> show bounds
+               | i <- [0 .. f - 1]
+               , let bounds =
+                       [ entry (table complex) k
+                       | (table, k) <-
+                           [(upperStarts, i), (upperTurns, i), (lowerStarts, i), (lowerTurns, i), (upperStarts, i + 1)]
+                       ]
+               , or (zipWith (>) bounds (drop 1 bounds))
+               ]
+            <> [ "the chains do not fill their table"
+               | entry (upperStarts complex) 0 /= 0
+                   || entry (upperStarts complex) f /= U.length (chains complex)
+               ]
+
+-- | /Cost/ O(stretches).
+vertexStretches :: Law
+vertexStretches =
+  lawOf
+    "a stretch begins at its vertex"
+    "The stretches in the row of a vertex are those that name it as the vertex where they begin."
+    $ \complex ->
+      [ stretchLabel complex e <> " stands in the row of " <> vertexLabel complex v
+      | v <- [0 .. vertexTotal complex - 1]
+      , e <- stretchesOf complex v
+      , entry (stretchVertices complex) e /= v
+      ]
+
+-- | /Cost/ O(stretches).
+cornerLinks :: Law
+cornerLinks =
+  lawOf
+    "the stretches of a corner are linked both ways"
+    "The stretch after a stretch is one of the same corner, and the stretch before that one is the first again; and \
+    \the other way round."
+    $ \complex ->
+      [ stretchLabel complex e <> " has " <> which <> " it " <> stretchLabel complex there
+          <> ", which leads back to stretch "
+          <> show back
+      | e <- [0 .. stretchTotal complex - 1]
+      , (which, one, other) <-
+          [("after", stretchesAfter, stretchesBefore), ("before", stretchesBefore, stretchesAfter)]
+      , let there = entry (one complex) e
+      , let back = entry (other complex) there
+      , back /= e || entry (stretchCorners complex) there /= entry (stretchCorners complex) e
+      ]
+
+-- | /Cost/ O(stretches).
+cornerDirections :: Law
+cornerDirections =
+  lawOf
+    "the vertices of a corner come by increasing direction"
+    "Along the stretches of a corner the direction increases, but for one of them, the last one of the corner, which \
+    \goes on over the end of the half turn to the first; every corner has stretches."
+    $ \complex ->
+      [ stretchLabel complex e <> " ends at " <> vertexLabel complex (end complex e)
+          <> (if isLast complex e then ", though it is the last of its corner" else ", which does not come later")
+      | e <- [0 .. stretchTotal complex - 1]
+      , (compareLines complex (entry (stretchVertices complex) e) (end complex e) == LT) == isLast complex e
+      ]
+        <> [ "the last stretch of corner " <> cornerLabel complex c <> " is " <> stretchLabel complex e
+           | (c, e) <- zip [0 ..] (map fromIntegral (U.toList (lastStretches complex)))
+           , entry (stretchCorners complex) e /= c
+           ]
+  where
+    end complex e = entry (stretchVertices complex) (entry (stretchesAfter complex) e)
+    isLast complex e = entry (lastStretches complex) (entry (stretchCorners complex) e) == e
+
+-- | /Cost/ O(stretches).
+cornersOnLine :: Law
+cornersOnLine =
+  lawOf
+    "the corners of a vertex lie on its line, in order"
+    "The corners of a vertex are collinear and come from left to right, that is, by increasing id."
+    $ \complex ->
+      [ vertexLabel complex v
+      | v <- [0 .. vertexTotal complex - 1]
+      , let line = cornersOf complex v
+      , or (zipWith (>=) line (drop 1 line)) || not (collinear complex line)
+      ]
+  where
+    collinear complex (a : b : rest) =
+      all ((== Collinear) . turn (scenePoints (complexScene complex)) a b) rest
+    collinear _ _ = False
+
+-- | /Cost/ O(elementary pairs · n), in machine integers where coordinates are below 2³⁰.
+pairsSee :: Law
+pairsSee =
+  lawOf
+    "consecutive corners of a vertex see each other"
+    "Between two corners that follow each other on a vertex the open segment meets no corner, crosses no side, and \
+    \enters the solid at neither end: they are an elementary pair."
+    $ \complex ->
+      [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
+      | let rays = raysIn (complexScene complex)
+      , v <- [0 .. vertexTotal complex - 1]
+      , let line = cornersOf complex v
+      , (p, q) <- zip line (drop 1 line)
+      , fault <- faults complex rays p q
+      ]
+  where
+    faults complex rays p q =
+      [ "the solid begins between them, at " <> cornerLabel complex a
+      | (a, b) <- [(p, q), (q, p)]
+      , entersSolid scene JustThen (CornerId a) (direction (scenePoints scene) a b)
+      ]
+        <> [ "corner " <> cornerLabel complex r <> " or the side from it lies between them"
+           | CornerId r <- hiders rays (CornerId p) (CornerId q)
+           ]
+      where
+        scene = complexScene complex
+
+-- | /Cost/ that of the sweep, and O(log m) per vertex.
+sweptVertices :: Law
+sweptVertices =
+  lawOf
+    "the vertices are those of the scene"
+    "A sweep of the scene finds the same vertices, each once: maximal free segments with two or more corners, all of \
+    \them, so that consecutive ones see each other."
+    $ \complex ->
+      let have = counted [cornersOf complex v | v <- [0 .. vertexTotal complex - 1]]
+          found = counted [[c | CornerId c <- vertexCorners v] | v <- vertices (complexScene complex)]
+          text = unwords . map (cornerLabel complex)
+       in [ text line <> (if times > (1 :: Int) then " is there " <> show times <> " times" else " is no vertex")
+          | (line, times) <- Map.toList have
+          , Map.lookup line found /= Just times
+          ]
+            <> [text line <> " is missing" | line <- sort (Map.keys (Map.difference found have))]
+  where
+    counted lists = Map.fromListWith (+) [(line, 1) | line <- lists]

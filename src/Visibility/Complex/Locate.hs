@@ -1,0 +1,165 @@
+-- | Where a point lies in the scene, and where the curve of a free point begins in the complex.
+module Visibility.Complex.Locate
+  ( -- * The index
+    Locator
+  , locator
+  , locatorComplex
+    -- * Points
+  , Eye
+  , eyeAt
+  , eyeRank
+  , eyeFrom
+  , directionFrom
+    -- * Places
+  , Place (..)
+  , Start (..)
+  , locate
+  ) where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', scanl')
+import Data.Maybe (mapMaybe)
+import Data.Ratio (denominator, numerator, (%))
+import Data.Set (Set)
+import qualified Data.Set as Set
+import qualified Data.Vector as V
+import Visibility.Complex.Type
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate
+import Visibility.Law (broken)
+import Visibility.Scene
+import Visibility.Sweep.Vertical
+
+-- | A complex with what it takes to find a point in it.
+--
+-- At the start of the half turn lines are vertical, all but, and lie in the order of the corners from left to right. So
+-- between two consecutive corners the same sides are met, and the same faces, one for each piece of a vertical.
+data Locator = Locator
+  { locatorComplex :: !Complex
+  , crossings :: !(V.Vector (Set Crossing))
+  , facesByBack :: !(V.Vector (IntMap.IntMap FaceId))
+  -- ^ For the verticals between the corners k − 1 and k, read downwards: the faces by the object at their back, which
+  -- is the back of one piece of a line only.
+  }
+
+-- | /Cost/ O(n log n) time and memory for n corners.
+locator :: Complex -> Locator
+locator complex = Locator complex (slabs scene) (V.fromListN (n + 1) (reverse fromTheRight))
+  where
+    scene = complexScene complex
+    n = cornerCount scene
+    sky = skyCode scene
+    outside = IntMap.fromList [(sky, face) | surroundings scene == OpenSky, face <- take 1 (facesOfNone complex)]
+    fromTheRight = scanl' passed outside (map CornerId [n - 1, n - 2 .. 0])
+    -- What is above a curve where its last stretch begins is below it where the half turn begins.
+    passed found c = foldl' enter (foldl' leave found (around BelowBack BelowFront)) (around AboveBack AboveFront)
+      where
+        e = lastEdgeOf complex c
+        around a b = mapMaybe (faceAt complex e) [a, b]
+    leave found f = IntMap.delete (backOf f) found
+    enter found f = IntMap.insert (backOf f) f found
+    backOf f = case faceFront complex f of
+      Side (SideId s) -> s
+      Sky -> sky
+
+-- | The lines under the sky that miss everything.
+facesOfNone :: Complex -> [FaceId]
+facesOfNone complex = [f | f <- take 1 (faceIds complex), Nothing <- [faceFirst complex f]]
+
+-- | A point on the lattice, in homogeneous integers of its own, and the number of corners before it in lexicographic
+-- order.
+data Eye = Eye !Integer !Integer !Integer !Int
+
+-- | How many corners come before a point in lexicographic order: it lies to the right of those.
+eyeRank :: Eye -> Int
+eyeRank (Eye _ _ _ k) = k
+
+-- | A point in the file's coordinates, and the corner that is in the same place. /Cost/ O(log n).
+eyeAt :: Scene -> Point -> (Eye, Maybe CornerId)
+eyeAt scene (Point x y) = (eye rank, here)
+  where
+    Point ox oy = fromLattice (sceneLattice scene) (Vector2 0 0)
+    scale = latticeScale (sceneLattice scene) % 1
+    (px, py) = ((x - ox) * scale, (y - oy) * scale)
+    w = lcm (denominator px) (denominator py)
+    whole q = numerator q * (w `quot` denominator q)
+    eye = Eye (whole px) (whole py) w
+    n = cornerCount scene
+    rank = search 0 n
+    search low high
+      | low >= high = low
+      | comparison middle == LT = search (middle + 1) high
+      | otherwise = search low middle
+      where
+        middle = (low + high) `quot` 2
+    -- Of a corner to the point.
+    comparison k = let Vector2 cx cy = cornerAt scene (CornerId k) in compare (cx % 1, cy % 1) (px, py)
+    here = if rank < n && comparison rank == EQ then Just (CornerId rank) else Nothing
+
+-- | From a corner to the point: a vector of the right direction, (0, 0) where they are in one place.
+eyeFrom :: Scene -> Eye -> CornerId -> Direction
+eyeFrom scene (Eye x y w _) c = Direction (x - w * cx) (y - w * cy)
+  where
+    Vector2 cx cy = cornerAt scene c
+
+-- | The direction of the line through the point and a corner, right-going.
+--
+-- /Requires/ that the point is not at the corner.
+directionFrom :: Scene -> Eye -> CornerId -> Direction
+directionFrom scene eye c@(CornerId k)
+  | k < eyeRank eye = there
+  | otherwise = Direction (negate x) (negate y)
+  where
+    there@(Direction x y) = eyeFrom scene eye c
+
+-- | Where the curve of a point begins, at the start of the half turn.
+data Start
+  = -- | Beyond all corners, under the sky: to the left of them, or to the right.
+    LeftOfAll
+  | RightOfAll
+  | -- | In this face.
+    InFace !FaceId
+
+-- | Where a point lies.
+data Place
+  = OnCorner !CornerId
+  | -- | In the interior of a side, or of both sides of a thin wall: those sides, each with the start of the piece of
+    -- the point's curve on that side.
+    OnSides ![(SideId, Start)]
+  | InFree !Start
+  | -- | In the interior of an obstacle, or outside the enclosure.
+    InSolid !PolygonId
+
+-- | Finds a point.
+--
+-- /Degenerate cases/ verticals lean a little to the right, so one through corners lies between two of them, too. A
+-- point on a side is the end of two pieces of its vertical, of which those are counted that are not in the solid.
+--
+-- /Cost/ O(log n) for n corners.
+locate :: Locator -> Point -> (Eye, Place)
+locate found point = (eye, maybe elsewhere OnCorner here)
+  where
+    (eye, here) = eyeAt scene point
+    scene = complexScene (locatorComplex found)
+    rank = eyeRank eye
+    (below, from) = Set.spanAntitone (\side -> seenFrom side == LeftTurn) (crossings found V.! rank)
+    (on, above) = Set.spanAntitone (\side -> seenFrom side == Collinear) from
+    seenFrom (Crossing a b) = directionTurn (direction (scenePoints scene) a b) (eyeFrom scene eye (CornerId a))
+    ceiling' = maybe (beyondAll scene) (freeBelow scene) (Set.lookupMin above)
+    elsewhere = case Set.lookupMin on of
+      Just side ->
+        OnSides
+          ( [(SideId s, startAt ceiling') | let s = freeAbove scene side, s /= solid]
+              <> [(SideId s, startAt s) | let s = freeBelow scene side, s /= solid]
+          )
+      Nothing
+        | ceiling' == solid -> InSolid (maybe Enclosure ownerOf (Set.lookupMax below))
+        | otherwise -> InFree (startAt ceiling')
+    ownerOf (Crossing a _) = let SideName polygon _ = sideName scene (SideId a) in polygon
+    startAt back
+      | isOpen && rank == 0 = LeftOfAll
+      | isOpen && rank == cornerCount scene = RightOfAll
+      | otherwise = case IntMap.lookup back (facesByBack found V.! rank) of
+          Just face -> InFace face
+          Nothing -> broken "every free piece of a vertical is in a face" (show (rank, back))
+    isOpen = surroundings scene == OpenSky

@@ -1,0 +1,244 @@
+-- | What is seen from a point or a corner, read from the complex.
+--
+-- In the dual a point is a curve like that of a corner: the lines through it. A walk along it for half a turn visits
+-- the faces of all free segments through the point, whose ends are what is seen forward and backward.
+module Visibility.Complex.Walk
+  ( -- * Looking around
+    Look (..)
+  , lookAround
+    -- * The index
+  , Locator
+  , locator
+  , locatorComplex
+  ) where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Locate
+import Visibility.Complex.Type
+import Visibility.Exact.Predicate
+import Visibility.Law (broken)
+import Visibility.Scene
+import Visibility.Sight
+import Visibility.View (End (..), Flank (..), View (..))
+
+-- | What is seen from somewhere.
+data Look = Look
+  { lookSights :: ![Sight]
+  -- ^ In the form of 'joined'.
+  , lookSteps :: !Int
+  -- ^ How many faces were visited, or stretches of the corner.
+  }
+  deriving (Eq, Show)
+
+-- | All that is seen from a corner or a point; for a point in the solid, the obstacle that it is in, or the enclosure
+-- that it is outside of.
+--
+-- /Degenerate cases/ a point on a side sees half a turn, one on a thin wall sees both ways; a point at a corner sees
+-- what the corner sees. Where a point is in line with corners, the rays along that line are the border of two sights.
+--
+-- /Cost/ of a point, O(log n) for each face visited; of a corner O(1) for each of its stretches; both without what it
+-- takes to join the sights.
+lookAround :: Locator -> Viewpoint -> Either PolygonId Look
+lookAround found viewpoint = case viewpoint of
+  AtCorner c -> Right (fromCorner complex c)
+  AtPoint point -> case locate found point of
+    (_, OnCorner c) -> Right (fromCorner complex c)
+    (_, InSolid polygon) -> Left polygon
+    (eye, InFree start) -> Right (lookOf [turning (walk complex eye Nothing start)])
+    (eye, OnSides pieces) -> Right (lookOf [pieceOf s (walk complex eye (Just s) start) | (s, start) <- pieces])
+  where
+    complex = locatorComplex found
+    lookOf parts = Look (joined (concatMap fst parts)) (sum (map snd parts))
+    turning steps = (map ahead steps <> map behind steps, length steps)
+    ahead (Step from to _ object) = Sight from to object
+    behind (Step from to object _) = Sight (reversed from) (reversed to) object
+    -- Of a side's two rays along a line one is free, that which does not end at the side.
+    pieceOf s steps
+      | sideEnd scene s < sideStart s = (fronts <> backs, length steps)
+      | otherwise = (backs <> fronts, length steps)
+      where
+        fronts = [ahead step | step@(Step _ _ back _) <- steps, back == Side s]
+        backs = [behind step | step@(Step _ _ _ front) <- steps, front == Side s]
+    scene = complexScene complex
+
+-- | The stretches of a corner in cyclic order hold its sights.
+fromCorner :: Complex -> CornerId -> Look
+fromCorner complex c = Look (joined (concatMap ahead around <> concatMap behind around)) (length around)
+  where
+    lastOne = lastEdgeOf complex c
+    firstOne = edgeAfter complex lastOne
+    around = firstOne : takeWhile (/= firstOne) (iterate (edgeAfter complex) (edgeAfter complex firstOne))
+    ahead e = [Sight (edgeFrom complex e) (end e) f | Just f <- [snd (seen e)]]
+    behind e = [Sight (reversed (edgeFrom complex e)) (reversed (end e)) b | Just b <- [fst (seen e)]]
+    seen e = case edgeView complex e of
+      Tangent _ b f -> (Just b, Just f)
+      Ending Front b -> (Just b, Nothing)
+      Ending Back f -> (Nothing, Just f)
+      Buried _ -> (Nothing, Nothing)
+    end e = (if wrapsAround complex e then reversed else id) (edgeTo complex e)
+
+-- | A part of the half turn during which the line through a point stays in one face: from one direction to another,
+-- with the objects at back and front.
+data Step = Step !Direction !Direction !Object !Object
+
+-- | How a face is read: in the half turn that it begins in, or in the following one, where its lines are read
+-- backwards and what was above is below. The face of the lines that miss everything lies above all curves in the one
+-- reading, below all of them in the other.
+data Reading = Forwards | Backwards
+  deriving (Eq)
+
+-- Note [Leaving a face]
+-- ~~~~~~~~~~~~~~~~~~~~~
+-- While the curve of a point runs in a face, the face's upper chain lies above it and the lower one below it. Along
+-- the upper chain, those vertices that come later than the present direction and do not lie strictly above the
+-- point's curve are the last ones: two points have one line, so their curves cross once, and the upper chain is below
+-- the curve of the corner where it was crossed from there on. So a binary search finds the stretch that is crossed;
+-- likewise in the lower chain; the crossing that comes first is where the curve leaves. A crossing in the upper chain
+-- is at a corner to the right of the point, one in the lower chain at a corner to the left of it.
+--
+-- Where the crossing is at a vertex p1 … pk of the chain, the curves have the order p1 … pk from above just after it,
+-- and the point's curve has its place among them as the point has among the corners along the line. It goes on just
+-- below the curve of the last corner before it on the line, or just above that of p1. With k = 1 this also says where
+-- it goes on when it crosses the curve of a corner between two vertices.
+
+-- | The half turn of the lines through a point, in which they have one free segment each; for a point on a side, the
+-- one that ends there on the free side.
+--
+-- /Cost/ O(log n) for each step. See Note [Leaving a face].
+walk :: Complex -> Eye -> Maybe SideId -> Start -> [Step]
+walk complex eye piece start = case start of
+  LeftOfAll -> go downwards outermost Backwards
+  RightOfAll -> go downwards outermost Forwards
+  InFace face -> go downwards face (readingAt downwards face Backwards)
+  where
+    outermost = FaceId 0
+
+    go from face reading = case earliest (crossing Above) (crossing Below) of
+      Nothing -> [stepTo upwards]
+      Just (Exit to next side)
+        | not (isBefore from to) -> broken "a curve leaves a face after it has entered it" (show (from, to, face))
+        | compareDirections to upwards == EQ -> [stepTo upwards]
+        | otherwise -> stepTo to : go to next (readingAt to next side)
+      where
+        stepTo to = case reading of
+          Forwards -> Step from to (faceBack complex face) (faceFront complex face)
+          Backwards -> Step from to (faceFront complex face) (faceBack complex face)
+        crossing = leaving complex eye piece face reading from
+
+    -- How a face is read just after a direction; the last argument says it of the lines that miss everything.
+    readingAt from face side = case faceFirst complex face of
+      Nothing -> side
+      Just v -> if isBefore from (edgeFrom complex (leftmostEdge complex v)) then Backwards else Forwards
+
+-- | Where the curve of a point leaves a face: the direction, the face in which it goes on, and how that is read if it
+-- is the face of the lines that miss everything.
+data Exit = Exit !Direction !FaceId !Reading
+
+earliest :: Maybe Exit -> Maybe Exit -> Maybe Exit
+earliest (Just a@(Exit from _ _)) (Just b@(Exit to _ _)) = Just (if compareDirections from to == GT then b else a)
+earliest (Just a) Nothing = Just a
+earliest Nothing b = b
+
+-- | −90°, where the half turn begins.
+downwards :: Direction
+downwards = Direction 0 (-1)
+
+-- | Does a direction come before another one in the half turn? The first may be its beginning.
+isBefore :: Direction -> Direction -> Bool
+isBefore from to = from == downwards || compareDirections from to == LT
+
+-- | The exit through the chain above the curve or below it, if there is one in the half turn after a direction. See
+-- Note [Leaving a face].
+leaving :: Complex -> Eye -> Maybe SideId -> FaceId -> Reading -> Direction -> Flank -> Maybe Exit
+leaving complex eye piece face reading from flank
+  | place >= high = Nothing
+  | (index c < rank) == (flank == Above) = Nothing
+  | atVertex = Just (pastVertex complex eye piece to (edgeLast complex e))
+  | otherwise = Just (pastCorner complex to e (if place < low then Backwards else Forwards) flank)
+  where
+    scene = complexScene complex
+    rank = eyeRank eye
+    (earlier, low, high) = boundary complex face reading flank
+    place = firstWhere isPassed (maybe low (const (low - 1)) earlier) high
+    e = edgeIn place
+    c = edgeCorner complex e
+    index (CornerId k) = k
+    to = directionFrom scene eye c
+    atVertex = not (goesOn place e) && aside e == Collinear
+    aside s = directionTurn (edgeTo complex s) (eyeFrom scene eye (edgeCorner complex s))
+    -- The entry before the first one is the stretch that goes on into this half turn.
+    edgeIn i = EdgeId (fromIntegral (chains complex U.! (if i < low then fromMaybe i earlier else i)))
+    goesOn i s = i >= low && wrapsAround complex s
+    isPassed i = goesOn i s || (isBefore from (edgeTo complex s) && aside s /= inside)
+      where
+        s = edgeIn i
+    inside = case flank of
+      Above -> RightTurn
+      Below -> LeftTurn
+
+-- | The part of a face's boundary above or below its lines in one reading: where it is in 'chains', and where the
+-- stretch is that goes on into this half turn from before its beginning, if there is one.
+boundary :: Complex -> FaceId -> Reading -> Flank -> (Maybe Int, Int, Int)
+boundary complex (FaceId f) reading flank = case (reading, flank) of
+  (Forwards, Above) -> (lastIn turnUpper startLower `orNone` isOuter, startUpper, turnUpper)
+  (Forwards, Below) -> (lastIn turnLower end `orNone` isOuter, startLower, turnLower)
+  (Backwards, Above) -> (lastIn startLower turnLower, turnLower, end)
+  (Backwards, Below) -> (lastIn startUpper turnUpper, turnUpper, startLower)
+  where
+    entry table i = fromIntegral (table complex U.! i) :: Int
+    startUpper = entry upperStarts f
+    turnUpper = entry upperTurns f
+    startLower = entry lowerStarts f
+    turnLower = entry lowerTurns f
+    end = entry upperStarts (f + 1)
+    lastIn from to = if to > from then Just (to - 1) else Nothing
+    isOuter = entry faceFirsts f < 0
+    orNone found allowed = if allowed then found else Nothing
+
+-- | The least number from the first on, below the second, from which on a predicate holds; the second if there is none.
+--
+-- /Requires/ that it holds from somewhere on. /Cost/ O(log) calls.
+firstWhere :: (Int -> Bool) -> Int -> Int -> Int
+firstWhere holds low high
+  | low >= high = high
+  | holds middle = firstWhere holds low middle
+  | otherwise = firstWhere holds (middle + 1) high
+  where
+    middle = low + (high - low) `quot` 2
+
+-- | Where the curve of a point goes on after a vertex that the point is in line with.
+--
+-- /Degenerate cases/ a point on a side, at the line of the side, goes on at the side's end before it if it looks upward
+-- from the side, else at the end after it.
+pastVertex :: Complex -> Eye -> Maybe SideId -> Direction -> VertexId -> Exit
+pastVertex complex eye piece to v
+  | place == first || alongBelow = newFace complex to (EdgeId place) AboveBack Forwards
+  | otherwise = newFace complex to (EdgeId (place - 1)) BelowFront Backwards
+  where
+    scene = complexScene complex
+    VertexId number = v
+    entry i = fromIntegral (vertexStarts complex U.! i)
+    (first, end) = (entry number, entry (number + 1))
+    cornerOf i = edgeCorner complex (EdgeId i)
+    place = firstWhere (\i -> cornerOf i >= CornerId (eyeRank eye)) first end
+    alongBelow = case piece of
+      Just s -> place < end && place > first && (sideStart s, sideEnd scene s) == (cornerOf (place - 1), cornerOf place)
+      Nothing -> False
+
+-- | Where the curve of a point goes on after it has crossed a stretch, read in one way, from below its curve or from
+-- above.
+pastCorner :: Complex -> Direction -> EdgeId -> Reading -> Flank -> Exit
+pastCorner complex to e reading flank = case (flank, reading) of
+  (Above, Forwards) -> newFace complex to e AboveBack Forwards
+  (Above, Backwards) -> newFace complex to e BelowFront Forwards
+  (Below, Forwards) -> newFace complex to e BelowFront Backwards
+  (Below, Backwards) -> newFace complex to e AboveBack Backwards
+
+newFace :: Complex -> Direction -> EdgeId -> Quarter -> Reading -> Exit
+newFace complex to e quarter reading = case faceAt complex e quarter of
+  Just face -> Exit to face reading
+  Nothing -> broken "a free ray is in a face" (show (e, quarter))
+
+leftmostEdge :: Complex -> VertexId -> EdgeId
+leftmostEdge complex (VertexId v) = EdgeId (fromIntegral (vertexStarts complex U.! v))

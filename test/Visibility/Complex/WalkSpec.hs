@@ -1,0 +1,129 @@
+module Visibility.Complex.WalkSpec (spec) where
+
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (sample)
+import Visibility.Complex.Build (build)
+import Visibility.Complex.Locate
+import Visibility.Complex.Type hiding (Kind)
+import Visibility.Complex.Walk
+import Visibility.Complex.Walk.Side
+import Visibility.Exact.Point (Point (..))
+import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.FormFactor
+import Visibility.Scene
+import Visibility.Sight
+import Visibility.Sweep
+import Visibility.Test.Generator
+import Visibility.Test.Scan
+import Visibility.View (events)
+
+spec :: Spec
+spec = do
+  describe "looking around" $ do
+    modifyMaxSuccess (* 10) $ do
+      it "from a point finds what an angular scan finds" $
+        property $ \(AnyScene s) -> seesLikeScan (sampleScene s)
+      it "from a point finds what an angular scan finds, in small scenes" $
+        property $ \(SmallScene s) -> seesLikeScan (sampleScene s)
+    modifyMaxSuccess (* 2) $ do
+      it "from a point finds what an angular scan finds, in hard coordinates" $
+        property $ \(HardScene s) -> seesLikeScan (sampleScene s)
+      it "from all corners and the middles of all sides finds what an angular scan finds" $
+        property $ \(SmallScene s) ->
+          let scene = sampleScene s
+           in conjoin (map (sameFrom (locatorOf scene)) (pointsOfInterest scene))
+      it "from a corner by name is the same as from its place" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+              index = locatorOf scene
+              place = AtPoint . cornerPoint scene
+           in conjoin [lookAround index (AtCorner c) === lookAround index (place c) | c <- corners scene]
+    it "is tested from places of every kind" $
+      checkCoverage $ \(AnyScene s) ->
+        let scene = sampleScene s
+            index = locatorOf scene
+         in forAll (somePoint scene) $ \eye ->
+              let kind = kindOf (snd (locate index eye))
+               in foldr (\k -> cover 1 (k == kind) (show k)) (property True) [minBound ..]
+    it "makes the same visibility polygon as an angular scan" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+         in forAll (somePoint scene) $ \eye ->
+              (region scene eye . lookSights <$> lookAround (locatorOf scene) (AtPoint eye))
+                === (region scene eye <$> scan scene eye)
+    it "visits no more faces than there are corners to pass, twice" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+         in forAll (somePoint scene) $ \eye -> case lookAround (locatorOf scene) (AtPoint eye) of
+              Left _ -> property Discard
+              Right found -> property (lookSteps found <= 2 * (cornerCount scene + 1))
+  describe "what a side sees" $ do
+    modifyMaxSuccess (* 3) $
+      it "are the form factors that are added up along the sweep, exactly" $
+        property $ \(AnyScene s) ->
+          let scene = sampleScene s
+              index = sideIndex (complexOf scene)
+              streamed = formFactors scene (measures scene (events scene (vertices scene)))
+              found = concatMap (sideFactors . sees index) (sides scene)
+           in sort (map entry found) === sort (map entry streamed)
+    it "is in order, the sky last, and adds up to 1" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            index = sideIndex (complexOf scene)
+         in conjoin
+              [ (nameOrder scene seen === sort (nameOrder scene seen))
+                  .&&. mconcat (map factorValue seen) === RootSum.rational 1
+              | side <- sides scene
+              , let seen = sideFactors (sees index side)
+              ]
+    it "visits the faces of the side and no others" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            complex = complexOf scene
+            index = sideIndex complex
+            byScan = Map.fromListWith (<>) [(o, [f]) | f <- reverse (faceIds complex), o <- ends complex f]
+         in conjoin
+              ( [ facesOf index o === Map.findWithDefault [] o byScan
+                | o <- Sky : map Side (sides scene)
+                ]
+                  <> [sideFaces (sees index side) === length (facesOf index (Side side)) | side <- sides scene]
+              )
+  where
+    entry f = (factorFrom f, factorTo f, factorMeasure f, factorValue f)
+    nameOrder scene seen = [(t == Sky, [sideName scene s | Side s <- [t]]) | t <- map factorTo seen]
+    ends complex f
+      | faceBack complex f == faceFront complex f = [faceBack complex f]
+      | otherwise = [faceBack complex f, faceFront complex f]
+
+complexOf :: Scene -> Complex
+complexOf scene = build scene (vertices scene)
+
+locatorOf :: Scene -> Locator
+locatorOf = locator . complexOf
+
+seesLikeScan :: Scene -> Property
+seesLikeScan scene = forAll (vectorOf 5 (somePoint scene)) $ \eyes -> conjoin (map (sameFrom index) eyes)
+  where
+    index = locatorOf scene
+
+-- | Where a point may lie.
+data Kind = AtACorner | OnASide | OnAWall | InASolid | InTheFree | BesideAll
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+kindOf :: Place -> Kind
+kindOf place = case place of
+  OnCorner _ -> AtACorner
+  OnSides [_] -> OnASide
+  OnSides _ -> OnAWall
+  InSolid _ -> InASolid
+  InFree (InFace _) -> InTheFree
+  InFree _ -> BesideAll
+
+-- | Is what is seen from a point the same as by scanning?
+sameFrom :: Locator -> Point -> Property
+sameFrom index eye =
+  counterexample (show eye) $
+    (lookSights <$> lookAround index (AtPoint eye)) === scan (complexScene (locatorComplex index)) eye

@@ -1,0 +1,94 @@
+module Visibility.RaySpec (spec) where
+
+import Data.Ratio ((%))
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (sample)
+import Visibility.Complex.Law.Section (directionsFrom, isGeneric)
+import Visibility.Exact.Point (Point (..), Vector2 (..))
+import Visibility.Exact.Predicate
+import Visibility.Ray
+import Visibility.Scene
+import Visibility.Scene.Raw
+import Visibility.Test.Generator
+
+spec :: Spec
+spec = do
+  describe "a ray" $
+    modifyMaxSuccess (* 3) $ do
+      it "meets the nearest of all sides, by fractions" $
+        property $ \(AnyScene s) -> forAll (genericIn (sampleScene s)) $ \d ->
+          let scene = sampleScene s
+           in conjoin [shoot scene c way === nearest scene c way | c <- corners scene, way <- [d, reversed d]]
+      it "is the same beyond machine integers" $
+        property $ \(LatticeScene s) -> forAll (genericIn (sampleScene s)) $ \d ->
+          case sample (enlarged (sampleRaw s)) of
+            Nothing -> counterexample "not valid" False
+            Just hard ->
+              conjoin
+                [viewAt (sampleScene s) c d === viewAt (sampleScene hard) c d | c <- corners (sampleScene s)]
+  describe "the solid at a corner" $ do
+    it "is entered just before and just after a direction as it is next to it" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+         in conjoin
+              [ counterexample (show (c, side)) $
+                  entersSolid scene moment c d === entersSolid scene JustThen c beside
+              | c <- corners scene
+              , side <- [nextCorner scene c, previousCorner scene c]
+              , (moment, turned) <- [(JustBefore, negate), (JustAfter, id)]
+              , d <- [heading scene c side, reversed (heading scene c side)]
+              , let beside = nudged turned d
+              ]
+    it "has the next corner above or below as it has next to it" $
+      property $ \(LatticeScene s) ->
+        let scene = sampleScene s
+         in conjoin
+              [ nextFlank scene moment c d === nextFlank scene JustThen c (nudged turned d)
+              | c <- corners scene
+              , (moment, turned) <- [(JustBefore, negate), (JustAfter, id)]
+              , d <- [heading scene c (nextCorner scene c), reversed (heading scene c (nextCorner scene c))]
+              ]
+  where
+    -- A little to the left; less than lattice directions of a small extent differ.
+    nudged turned (Direction x y) =
+      let k = 10 ^ (12 :: Int) in Direction (k * x - turned y) (k * y + turned x)
+    heading scene (CornerId a) (CornerId b) = direction (scenePoints scene) a b
+    enlarged raw = raw {rawEnclosure = fmap bigger (rawEnclosure raw), rawPolygons = map bigger (rawPolygons raw)}
+    bigger polygon = polygon {rawCorners = [Point (large * x) (large * y) | Point x y <- rawCorners polygon]}
+    large = 2 ^ (40 :: Int)
+
+-- | A direction parallel to no line through two corners.
+genericIn :: Scene -> Gen Direction
+genericIn scene = do
+  seed <- arbitrary
+  case filter (isGeneric scene) (directionsFrom [seed .. seed + 20]) of
+    d : _ -> pure d
+    [] -> discard
+
+-- | What a ray meets, written from the definition in rationals: the first side that it crosses. If it crosses that
+-- one from the solid to the free, it was in the solid all the way.
+nearest :: Scene -> CornerId -> Direction -> Hit
+nearest scene c (Direction dx dy)
+  | null hits = case surroundings scene of OpenSky -> Meets Sky; Room -> Solid
+  | otherwise = case [s | (t, s, True) <- hits, t == minimum [u | (u, _, _) <- hits]] of
+      s : _ -> Meets (Side s)
+      [] -> Solid
+  where
+    Vector2 cx cy = cornerAt scene c
+    hits =
+      [ (t, s, inward > 0)
+      | s <- sides scene
+      , sideStart s /= c
+      , sideEnd scene s /= c
+      , let Vector2 ax ay = cornerAt scene (sideStart s)
+      , let Vector2 bx by = cornerAt scene (sideEnd scene s)
+      , let (ex, ey) = (bx - ax, by - ay)
+      , let inward = ex * dy - ey * dx
+      , inward /= 0
+      , let t = ((ax - cx) * ey - (ay - cy) * ex) % negate inward
+      , let u = ((ax - cx) * dy - (ay - cy) * dx) % negate inward
+      , t > 0
+      , u > 0
+      , u < 1
+      ]
