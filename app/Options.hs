@@ -323,7 +323,8 @@ fromOption = point <|> corner <|> side
     point = FromPoint . uncurry Point <$> option pairReader fromHelp <*> normal
     corner = FromCorner <$> option (nameReader CornerName) cornerHelp <*> normal
     side = FromSide <$> option (nameReader SideName) sideHelp
-    fromHelp = long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
+    fromHelp =
+      long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
     cornerHelp = long "corner" <> metavar "P.K" <> help "A corner, such as 3.0 or E.2."
     sideHelp = long "side" <> metavar "P.K" <> help "A side, such as 3.0 or E.2."
     normal =
@@ -339,8 +340,8 @@ figureKind = combined <$> figureName <*> optional fromOption
         (oneOf [("scene", Just SceneFigure), ("dual", Just DualFigure), ("view", Nothing)])
         ( metavar "FIGURE"
             <> help
-              "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. view: what is \
-              \seen --from a point, a --corner or a --side."
+              "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \
+              \view: what is seen --from a point, a --corner or a --side."
         )
     combined (Just plain) Nothing = Right plain
     combined (Just _) (Just _) = Left "--from, --corner and --side are for the figure view"

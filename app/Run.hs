@@ -39,9 +39,9 @@ import Visibility.Sweep (Vertex, verticesBy)
 guarded :: IO () -> IO ()
 guarded = handleJust broken (\exception -> complain [displayException exception] >> ends LawBroken)
 
--- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the scene are
--- reported; then the program ends with their exit code. A law that breaks in the work ends it with exit code 70, after a
--- dump of the scene.
+-- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the
+-- scene are reported; then the program ends with their exit code. A law that breaks in the work ends it with exit
+-- code 70, after a dump of the scene.
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
   reading <- readRawSceneFile (sceneFile common)

@@ -2,8 +2,8 @@
 --
 -- For each scene: time, allocation and chain steps of the topological sweep per elementary visible pair, the best of
 -- several runs in this process; and the time as a ratio to that at 2^8 corners. Then, per vertex, the time of both
--- schedulers and of all tables of the complex, the sweep included, as ratios to the topological sweep alone. Then views:
--- walking in the complex against asking every side. Arguments: names of families; none means all.
+-- schedulers and of all tables of the complex, the sweep included, as ratios to the topological sweep alone. Then
+-- views: walking in the complex against asking every side. Arguments: names of families; none means all.
 module Main (main) where
 
 import Control.Exception (evaluate)
@@ -19,8 +19,8 @@ import System.CPUTime (getCPUTime)
 import System.Environment (getArgs)
 import System.Exit (die)
 import System.Mem (performGC)
-import Visibility.Complex (complexOf, faceIds)
-import Visibility.Complex.Walk (Look (..), locator, lookAround)
+import Visibility.Complex (complexOf, complexScene, faceIds)
+import Visibility.Complex.Walk (Locator, Look (..), locator, locatorComplex, lookAround)
 import Visibility.Exact.Point (Point (..))
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Law (broken)
@@ -62,28 +62,23 @@ main = do
       putStrLn (row [name, show (cornerCount scene), show count, each a, each b, ratio b, each c, ratio c])
   putStrLn ""
   putStrLn (row ["view", "corners", "faces/view", "us/view", "us/face", "scan us", "scan/walk"])
-  forM_ [c | c <- ladder Random, c >= 32] $ \count -> do
+  forM_ (ladder Random) $ \count -> do
     let scene = sceneOf Random count
         index = locator (complexOf scene)
-        places = lookouts scene
-        faces = sum [lookSteps look | Right look <- map (lookAround index . AtPoint) places]
-        perView = 1e6 / fromIntegral (length places)
-    [walking] <- bestTimes [index] (\found -> sum [length (lookSights look) | Right look <- map (lookAround found . AtPoint) places])
-    scanning <-
-      if cornerCount scene > 2048
-        then pure []
-        else bestTimes [scene] (\s -> sum [length sights | Right sights <- map (scan s) (take 4 places)])
+        places = lookouts index
+        perView total = total / fromIntegral (length places) :: Double
+        faces = sum [lookSteps look | Right look <- map (lookAround index) places]
+        looks found = sum [length (lookSights look) | Right look <- map (lookAround found) places]
+    walking <- sum <$> bestTimes [index] looks
+    scanning <- scanned scene (perView walking)
     putStrLn . row $
       [ "random"
       , show (cornerCount scene)
-      , showFFloat (Just 1) (fromIntegral faces / fromIntegral (length places) :: Double) ""
-      , showFFloat (Just 1) (walking * perView) ""
-      , showFFloat (Just 2) (walking * 1e6 / fromIntegral faces) ""
+      , showFFloat (Just 1) (perView (fromIntegral faces)) ""
+      , microseconds (perView walking)
+      , microseconds (walking / fromIntegral faces)
       ]
-        <> concat
-          [ [showFFloat (Just 0) (seconds * 1e6 / 4) "", showFFloat (Just 0) (seconds / 4 / (walking * perView * 1e-6)) ""]
-          | seconds <- scanning
-          ]
+        <> scanning
   putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
   let scenes = map (sceneOf Random) [25, 100, 400]
@@ -100,7 +95,7 @@ ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
     top = case kind of
       Sparse -> 2048
       _ -> 16384
-    sized corners = fmap sizeCount (size (corners `div` perPolygon))
+    sized count = fmap sizeCount (size (count `div` perPolygon))
     perPolygon = case kind of
       Comb -> 8
       ThinWalls -> 2
@@ -113,15 +108,27 @@ sceneOf kind n = case fmap (\k -> validate (family kind k (Seed 1))) (size n) of
   _ -> broken "a generated scene is valid" (show (kind, n))
 
 -- | Places in and around a scene, in free space or on a boundary, none of them special.
-lookouts :: Scene -> [Point]
-lookouts scene = take 40 [p | p <- candidates, Right _ <- [lookAround index (AtPoint p)]]
+lookouts :: Locator -> [Viewpoint]
+lookouts index = take 40 [place | place <- candidates, Right _ <- [lookAround index place]]
   where
-    index = locator (complexOf scene)
+    scene = complexScene (locatorComplex index)
     points = map (cornerPoint scene) (corners scene)
     candidates =
-      [ Point ((ax + 2 * bx) / 3 + 1 / 1000) ((ay + 2 * by) / 3 + 1 / 999)
+      [ AtPoint (Point ((ax + 2 * bx) / 3 + 1 / 1000) ((ay + 2 * by) / 3 + 1 / 999))
       | (Point ax ay, Point bx by) <- zip points (drop 7 (cycle (reverse points)))
       ]
+
+-- | The time of the test's oracle for a view, from one of the places, and its ratio to that of a walk. It shoots a ray
+-- between every two directions to corners at all sides, so it is asked in small scenes only.
+scanned :: Scene -> Double -> IO [String]
+scanned scene walking = case take 1 (lookouts (locator (complexOf scene))) of
+  [AtPoint place] | cornerCount scene <= 512 -> do
+    begun <- getCPUTime
+    _ <- evaluate (length (show (scan scene place)))
+    ended <- getCPUTime
+    let seconds = fromInteger (ended - begun) / 1e12
+    pure [microseconds seconds, showFFloat (Just 0) (seconds / walking) ""]
+  _ -> pure []
 
 data Rung = Rung
   { rungCorners :: !Int

@@ -1,11 +1,12 @@
 -- | The visibility complex of a scene as a value: vertices, edges and faces with their incidences.
 --
--- A complex is made by 'build' from the vertices of any sweep, which number it; "Visibility.Complex.Canonical" numbers it
--- as a function of the scene alone. Where the half turn begins, nothing is cut: an edge and a face that go on there are one.
+-- A complex is made by 'build' from the vertices of any sweep, which number it; "Visibility.Complex.Canonical"
+-- numbers it as a function of the scene alone. Where the half turn begins, nothing is cut: an edge and a face that go
+-- on there are one.
 --
--- In a scene in general position, a vertex has four edges, and six faces where the line is tangent at both corners, five where
--- it is tangent at one, four where it ends at both. A tangent edge has three faces, an ending edge two. Vertices with any
--- number of corners are ordinary values.
+-- In a scene in general position, a vertex has four edges, and six faces where the line is tangent at both corners,
+-- five where it is tangent at one, four where it ends at both. A tangent edge has three faces, an ending edge two.
+-- Vertices with any number of corners are ordinary values.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 3; Pocchiola,
 -- Vegter, The visibility complex.

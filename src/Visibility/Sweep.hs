@@ -10,8 +10,8 @@
 -- | 'bruteForce'       | O(n³)            | O(m)        | the definition                    |
 -- +--------------------+------------------+-------------+-----------------------------------+
 --
--- n corners, m elementary visible pairs. That the chain steps of 'vertices' are O(m) is proved by Rivière for a scan from one
--- end; for the scan from both ends that is used here it is measured.
+-- n corners, m elementary visible pairs. That the chain steps of 'vertices' are O(m) is proved by Rivière for a scan
+-- from one end; for the scan from both ends that is used here it is measured.
 module Visibility.Sweep
   ( -- * Vertices
     Vertex (..)

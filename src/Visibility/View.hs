@@ -168,11 +168,11 @@ pass scene sights vertex = do
             (Nothing, Nothing) -> Buried flank
       pure view
 
--- | An open interval of directions between consecutive vertices of a corner, during which it has one view; cut where the
--- half turn begins.
+-- | An open interval of directions between consecutive vertices of a corner, during which it has one view; cut where
+-- the half turn begins.
 --
--- /Degenerate cases/ the next interval has another view, except where a thin wall lies in the line of the vertex between
--- them: seen edge-on it may hide nothing. Such a vertex ends the edge all the same.
+-- /Degenerate cases/ the next interval has another view, except where a thin wall lies in the line of the vertex
+-- between them: seen edge-on it may hide nothing. Such a vertex ends the edge all the same.
 data Edge = Edge
   { edgeCorner :: !CornerId
   , edgeFrom :: !Direction

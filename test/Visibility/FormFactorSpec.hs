@@ -129,8 +129,8 @@ spec = do
       _ -> Nothing
     lookupFactor made from to = do
       s <- made
-      Map.lookup (sideNamed from, Just (sideNamed to)) (factorsOf (sampleScene s))
-    sideNamed (p, k) = SideName (if p == "E" then Enclosure else Obstacle (read p)) k
+      Map.lookup (sideOf from, Just (sideOf to)) (factorsOf (sampleScene s))
+    sideOf (p, k) = SideName (if p == "E" then Enclosure else Obstacle (read p)) k
     squareRoom walls =
       sample (RawScene Nothing (Just (loop [(0, 0), (1, 0), (1, 1), (0, 1)])) (map loop walls))
     loop corners' = rawPolygon [Point x y | (x, y) <- corners']

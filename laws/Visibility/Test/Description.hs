@@ -1,4 +1,5 @@
--- | A complex told in names, without a single number of a table: what can be compared between sweeps and under renaming.
+-- | A complex told in names, without a single number of a table: what can be compared between sweeps and under
+-- renaming.
 module Visibility.Test.Description
   ( Description
   , description

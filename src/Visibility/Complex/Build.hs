@@ -98,10 +98,10 @@ data Collected = Collected
 -- | Puts the tables together: links the stretches of each corner, glues the end of the half turn to its start, and
 -- collects the chains.
 --
--- A stretch cut by the start of the half turn has been collected once, as the last one of its corner. A face cut by it has
--- two numbers: one from the start on, one up to the end. At the end every line is the one at the start read backwards, so
--- quarter k of a corner then is its quarter 3 − k at the start. The lines under the sky that miss everything have the
--- number 0 in both.
+-- A stretch cut by the start of the half turn has been collected once, as the last one of its corner. A face cut by
+-- it has two numbers: one from the start on, one up to the end. At the end every line is the one at the start read
+-- backwards, so quarter k of a corner then is its quarter 3 − k at the start. The lines under the sky that miss
+-- everything have the number 0 in both.
 assembled :: Scene -> Collected -> Complex
 assembled scene collected =
   Complex
@@ -116,10 +116,10 @@ assembled scene collected =
     , stretchFlanks = column 3
     , stretchFaces = U.map (\f -> if f < 0 then -1 else final f) quarters
     , lastStretches = lasts
-    , faceFirsts = U.generate faceTotal (\f -> faceColumn 2 (collectedAs f))
+    , faceFirsts = U.generate faceTotal (faceColumn 2 . collectedAs)
     , faceLasts = U.generate faceTotal lastVertex
-    , faceBacks = U.generate faceTotal (\f -> faceColumn 0 (collectedAs f))
-    , faceFronts = U.generate faceTotal (\f -> faceColumn 1 (collectedAs f))
+    , faceBacks = U.generate faceTotal (faceColumn 0 . collectedAs)
+    , faceFronts = U.generate faceTotal (faceColumn 1 . collectedAs)
     , upperStarts = U.generate (faceTotal + 1) (\f -> chainStarts U.! (4 * f))
     , upperTurns = U.generate faceTotal (\f -> chainStarts U.! (4 * f + 1))
     , lowerStarts = U.generate faceTotal (\f -> chainStarts U.! (4 * f + 2))
@@ -217,8 +217,8 @@ linked n owners = runST $ do
   where
     total = U.length owners
 
--- | Sorts items into so many groups, keeping their order: where each group starts, and the items by their groups. Items of
--- a negative group are left out.
+-- | Sorts items into so many groups, keeping their order: where each group starts, and the items by their groups.
+-- Items of a negative group are left out.
 grouped :: Int -> Int -> (Int -> Int) -> (Int -> Int) -> (U.Vector Int32, U.Vector Int32)
 grouped groups items groupOf shown = runST $ do
   sizes <- M.replicate (groups + 1) (0 :: Int32)

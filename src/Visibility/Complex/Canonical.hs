@@ -34,8 +34,8 @@ data Numbering = Numbering
 --
 -- /Cost/ O(m log m).
 --
--- /Laws/ the names of everything in this order are the same for all streams of vertices of a scene; renaming the polygons
--- changes it only where names break ties.
+-- /Laws/ the names of everything in this order are the same for all streams of vertices of a scene; renaming the
+-- polygons changes it only where names break ties.
 canonicalNumbering :: Complex -> Numbering
 canonicalNumbering complex =
   Numbering

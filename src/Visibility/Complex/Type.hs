@@ -49,7 +49,7 @@ module Visibility.Complex.Type
 
 import Data.Int (Int32)
 import Data.List (nub)
-import Data.Maybe (catMaybes)
+import Data.Maybe (mapMaybe)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -63,8 +63,8 @@ newtype VertexId = VertexId Int
   deriving (Eq, Ord, Show)
 
 -- | A stretch of a corner's curve between two consecutive vertices of the corner, from 0: an edge, or an interval in
--- which the corner is buried. There is one for each corner of each vertex, the one that begins there; those of one vertex
--- follow each other in the order of the corners along its line.
+-- which the corner is buried. There is one for each corner of each vertex, the one that begins there; those of one
+-- vertex follow each other in the order of the corners along its line.
 newtype EdgeId = EdgeId Int
   deriving (Eq, Ord, Show)
 
@@ -72,10 +72,11 @@ newtype EdgeId = EdgeId Int
 newtype FaceId = FaceId Int
   deriving (Eq, Ord, Show)
 
--- | The tables of the complex of a scene. Numbers stand for ids; −1 where there is none; objects as in the tables of the
--- sweep ('objectOf').
+-- | The tables of the complex of a scene. Numbers stand for ids; −1 where there is none; objects as in the tables of
+-- the sweep ('objectOf').
 --
--- /Cost/ 36 bytes per corner of a vertex and 24 per face, besides the chains: 4 bytes per incidence of a stretch with a face.
+-- /Cost/ 36 bytes per corner of a vertex and 24 per face, besides the chains: 4 bytes per incidence of a stretch with
+-- a face.
 data Complex = Complex
   { complexScene :: !Scene
   , vertexStarts :: !(U.Vector Int32)
@@ -94,7 +95,8 @@ data Complex = Complex
   , stretchFlanks :: !(U.Vector Int32)
   -- ^ 1 where the following corner of the polygon lies above the line, where the stretch begins.
   , stretchFaces :: !(U.Vector Int32)
-  -- ^ Four for each stretch, by 'Quarter', where the stretch begins. A face on both quarters of a flank is entered twice.
+  -- ^ Four for each stretch, by 'Quarter', where the stretch begins. A face on both quarters of a flank is entered
+  -- twice.
   , lastStretches :: !(U.Vector Int32)
   -- ^ By corner: its stretch that goes on over the end of the half turn.
   , faceFirsts :: !(U.Vector Int32)
@@ -147,8 +149,8 @@ data Kind
 
 -- | By corner, in their order along the line.
 --
--- /Degenerate cases/ at a side the segment passes on where the corner is convex, flat, or an end of a thin wall, and ends
--- where it is reflex; 'vertexBack' and 'vertexFront' tell.
+-- /Degenerate cases/ at a side the segment passes on where the corner is convex, flat, or an end of a thin wall, and
+-- ends where it is reflex; 'vertexBack' and 'vertexFront' tell.
 vertexKinds :: Complex -> VertexId -> [Kind]
 vertexKinds complex v = zipWith kind line (Back : map (const Front) (drop 1 line))
   where
@@ -181,8 +183,8 @@ vertexFront complex v = case reverse (vertexEdgesAfter complex v) of
   EdgeId e : _ -> objectOf (complexScene complex) (at (stretchFronts complex) e)
   [] -> Nothing
 
--- | The incident edges in cyclic order, counter-clockwise in the dual (angle to the right, offset upwards), beginning with
--- the lowest of those that begin here. Buried stretches are no edges.
+-- | The incident edges in cyclic order, counter-clockwise in the dual (angle to the right, offset upwards), beginning
+-- with the lowest of those that begin here. Buried stretches are no edges.
 vertexEdges :: Complex -> VertexId -> [EdgeId]
 vertexEdges complex v = filter (isEdge complex) (after <> map (edgeBefore complex) after)
   where
@@ -194,7 +196,7 @@ vertexFaces complex v =
   nub (concatMap around (reverse after) <> concatMap (around . edgeBefore complex) after)
   where
     after = vertexEdgesAfter complex v
-    around e = catMaybes [faceAt complex e quarter | quarter <- [BelowFront, BelowBack, AboveBack, AboveFront]]
+    around e = mapMaybe (faceAt complex e) [BelowFront, BelowBack, AboveBack, AboveFront]
 
 -- | All edges: tangent and ending stretches.
 edgeIds :: Complex -> [EdgeId]
@@ -281,7 +283,7 @@ faceAt complex (EdgeId e) quarter
 
 -- | The faces on a flank of a stretch, from back to front: 2 and 1 where it is tangent, 1 and 1 where it is ending.
 edgeFacesOn :: Complex -> EdgeId -> Flank -> [FaceId]
-edgeFacesOn complex e flank = nub (catMaybes (map (faceAt complex e) quarters))
+edgeFacesOn complex e flank = nub (mapMaybe (faceAt complex e) quarters)
   where
     quarters = case flank of
       Above -> [AboveBack, AboveFront]

@@ -34,9 +34,9 @@ import Visibility.View
 
 -- | The dual of a scene: θ from −90° to 90° to the right, u in the file's units upwards.
 --
--- Layers, from the bottom: @frame@ with ticks; @buried@, @ending@ and @tangent@, a curve per stretch, named by its corner;
--- @vertices@, dots named by their corners; @leaders@, @labels@ of up to 24 corners; @legend@. An edge is drawn in two
--- curves where the half turn cuts it.
+-- Layers, from the bottom: @frame@ with ticks; @buried@, @ending@ and @tangent@, a curve per stretch, named by its
+-- corner; @vertices@, dots named by their corners; @leaders@, @labels@ of up to 24 corners; @legend@. An edge is
+-- drawn in two curves where the half turn cuts it.
 --
 -- Where the file's origin is far from the scene, u is measured from a round point in the scene, which the figure
 -- names: otherwise all curves would run into one.

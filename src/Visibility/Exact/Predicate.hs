@@ -46,7 +46,7 @@ opposite LeftTurn = RightTurn
 --
 -- /Laws/ @turn p a b c == turn p b c a == opposite (turn p b a c)@.
 turn :: Points -> Int -> Int -> Int -> Turn
-turn points a b c = headingTurn points a b a c
+turn points a b = headingTurn points a b a
 {-# INLINE turn #-}
 
 -- | @headingTurn points a b c d@ is the turn from the direction a to b to the direction c to d.
@@ -82,7 +82,8 @@ machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x 
 -- 2^-1074, is computed as the bound.
 -- It is itself computed in fewer than forty operations on non-negative Doubles, each with relative error at most u or an
 -- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
--- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the sign of the determinant.
+-- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the
+-- sign of the determinant.
 filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Int -> Turn
 filteredTurn points xs a b c d
   | det > bound = LeftTurn

@@ -21,11 +21,11 @@ import Visibility.View (End (..), Flank (..), View (..))
 
 -- | The document, in canonical order: it depends on the scene only, to the last byte.
 --
--- /Shape/ @corners@, by name; @vertices@; @edges@; @faces@; @buried@, the stretches in which a corner is buried: they are no
--- edges, but each bounds a face, where the chain of its edges has a gap. Where a segment ends at a corner instead of a
--- side or the sky, @back@ or @front@ is that corner. Chains are listed in order of direction; what lies after the end of
--- the half turn comes last. The lines that miss everything are the last face; they have no first and no last vertex,
--- @null@, and their lower chain is closed.
+-- /Shape/ @corners@, by name; @vertices@; @edges@; @faces@; @buried@, the stretches in which a corner is buried: they
+-- are no edges, but each bounds a face, where the chain of its edges has a gap. Where a segment ends at a corner
+-- instead of a side or the sky, @back@ or @front@ is that corner. Chains are listed in order of direction; what lies
+-- after the end of the half turn comes last. The lines that miss everything are the last face; they have no first and
+-- no last vertex, @null@, and their lower chain is closed.
 --
 -- /Cost/ O(m log m).
 complexDocument :: Complex -> Builder

@@ -6,8 +6,8 @@ module Visibility.Format.Verdict
 import Visibility.Complex.Law (Law (..))
 import Visibility.Law (Violation (..))
 
--- | A line for each law that has been decided: whether it holds, and its name; below one that does not, what it says and
--- its first counter-examples. The last line counts.
+-- | A line for each law that has been decided: whether it holds, and its name; below one that does not, what it says
+-- and its first counter-examples. The last line counts.
 verdictText :: [(Law, [Violation])] -> String
 verdictText verdicts = unlines (concatMap block verdicts <> [total])
   where

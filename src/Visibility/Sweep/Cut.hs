@@ -33,17 +33,18 @@ import Visibility.Sweep.Sights
 
 -- Note [Faces at a vertex]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~
--- Turn the line of a vertex a little. Between two of its corners' curves the line is cut into free pieces, each with its
--- label. One line meets a side at most once, and then sees it from its free flank; so among the pieces of one line an
--- object is at the back of at most one. Going down from above all curves to below them, a face is therefore known by the
--- object at its back, as long as it lasts: a curve that bounds it from below ends it, one that bounds a piece from above
--- begins another.
+-- Turn the line of a vertex a little. Between two of its corners' curves the line is cut
+-- into free pieces, each with its label. One line meets a side at most once, and then sees it from its free flank; so
+-- among the pieces of one line an object is at the back of at most one. Going down from above all curves to below
+-- them, a face is therefore known by the object at its back, as long as it lasts: a curve that bounds it from below
+-- ends it, one that bounds a piece from above begins another.
 --
 -- Just before the vertex the corners lie from top to bottom in the reverse of their order along the line. A face that
 -- ends there without having begun lies above all curves: it goes on past the vertex. One that begins and does not end
--- lies below all: it goes on too. One that begins and ends is closed by the vertex. Just after the vertex the corners lie
--- from top to bottom in their order; what begins and ends now is opened by the vertex, and everything else is one of the
--- faces that go on, of the same label. A face can be opened and closed by no single vertex, so each has an interior.
+-- lies below all: it goes on too. One that begins and ends is closed by the vertex. Just after the vertex the corners
+-- lie from top to bottom in their order; what begins and ends now is opened by the vertex, and everything else is one
+-- of the faces that go on, of the same label. A face can be opened and closed by no single vertex, so each has an
+-- interior.
 
 -- | What is seen from the corners, the faces on the quarters around them, and three tables by object that are empty
 -- between vertices: faces above the vertex at hand, faces below it, and quarters whose face is not known yet.
@@ -75,8 +76,8 @@ freeze = traverse U.freeze
 thaw :: Frozen -> ST s (Cut (M.MVector s Int32))
 thaw = traverse U.thaw
 
--- | What is to be done when a face is opened, with the objects at its back and front, and when it is closed. An open face
--- has a number of the keeper's choice, at least 0.
+-- | What is to be done when a face is opened, with the objects at its back and front, and when it is closed. An open
+-- face has a number of the keeper's choice, at least 0.
 data FaceKeeper s = FaceKeeper
   { opened :: Int -> Int -> ST s Int
   , closed :: Int -> ST s ()
@@ -121,8 +122,8 @@ sightsNow cut c = do
   pure (fromIntegral b, fromIntegral f, fromIntegral up)
 {-# INLINE sightsNow #-}
 
--- | The faces on the quarters of a corner, −1 in the solid: above at the back, above in front, below at the back, below in
--- front.
+-- | The faces on the quarters of a corner, −1 in the solid: above at the back, above in front, below at the back,
+-- below in front.
 quartersNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int, Int)
 quartersNow cut c = (,,,) <$> quarter 0 <*> quarter 1 <*> quarter 2 <*> quarter 3
   where

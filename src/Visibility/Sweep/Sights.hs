@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | What every corner sees along the line through it while the direction turns: tables that a vertex changes in O(1) per
--- elementary pair.
+-- | What every corner sees along the line through it while the direction turns: tables that a vertex changes in O(1)
+-- per elementary pair.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this
 -- project.

@@ -1,12 +1,11 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The straight sweep: every vertex of the visibility complex in order of direction, from a priority queue over the
 -- open faces.
 --
--- An open face lies between two curves at the current direction, and ends where these two meet. The queue holds the faces
--- whose curves are still to meet in this half turn, by the direction in which they do. Every elementary pair of a vertex
--- closes a face that lies between the two corners, so the faces that end in one direction give all vertices of that
--- direction. What a vertex does to the faces is "Visibility.Sweep.Cut", for this sweep as for the tables of the complex.
+-- An open face lies between two curves at the current direction, and ends where these two meet. The queue holds the
+-- faces whose curves are still to meet in this half turn, by the direction in which they do. Every elementary pair of
+-- a vertex closes a face that lies between the two corners, so the faces that end in one direction give all vertices
+-- of that direction. What a vertex does to the faces is "Visibility.Sweep.Cut", for this sweep as for the tables of
+-- the complex.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 3.3.
 module Visibility.Sweep.Straight
@@ -70,8 +69,8 @@ instance Traversable Faces where
 
 type Changing s = Faces (M.MVector s Int32)
 
--- | At most so many faces are open at once: each corner bounds at most two of them from above, and all but one are bounded
--- from above.
+-- | At most so many faces are open at once: each corner bounds at most two of them from above, and all but one are
+-- bounded from above.
 faceLimit :: Scene -> Int
 faceLimit scene = 2 * cornerCount scene + 1
 
@@ -161,8 +160,8 @@ joined pairs = mapMaybe (fromCorners . map CornerId . from) (filter (`IntSet.not
     reached = IntSet.fromList (IntMap.elems onward)
     from a = a : maybe [] from (IntMap.lookup a onward)
 
--- | Notes that a corner bounds the faces around it, and moves these faces in the queue. One bound is changed at a time, so
--- that all others in the queue are in order.
+-- | Notes that a corner bounds the faces around it, and moves these faces in the queue. One bound is changed at a
+-- time, so that all others in the queue are in order.
 bound :: Scene -> Changing s -> Cut (M.MVector s Int32) -> Int -> ST s ()
 bound scene faces cut c = do
   (q0, q1, q2, q3) <- quartersNow cut c

@@ -75,7 +75,8 @@ spec = describe "build" $ do
   where
     sizes complex = (length (vertexIds complex), length (edgeIds complex), length (faceIds complex))
     told (Stream.Edge c from to view) = (c, primitive from, primitive to, view)
-    labelled complex e flank = [(flank, back, front) | f <- edgeFacesOn complex e flank, (back, front) <- readAt complex e f]
+    labelled complex e flank =
+      [(flank, back, front) | f <- edgeFacesOn complex e flank, (back, front) <- readAt complex e f]
     -- The label of a face as it is read where a stretch begins: backwards if the face began later in the half turn.
     readAt complex e f = case faceFirst complex f of
       Just v | compareDirections (edgeFrom complex e) (vertexDirectionOf complex v) == LT -> [(front, back)]

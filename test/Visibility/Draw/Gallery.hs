@@ -24,6 +24,7 @@ import Test.QuickCheck
 import Visibility.Draw.Drawing
 import Visibility.Exact.Point
 import Visibility.Format.Json (readSceneFile)
+import Visibility.Exact.Predicate (reversed)
 import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Error.Scene (SceneError)

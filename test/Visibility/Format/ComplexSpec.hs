@@ -26,7 +26,9 @@ spec = describe "complexDocument" $ do
             === document (build scene (vertices scene))
   mapM_
     golden
-    [("two squares, which have vertices of four corners", "two-squares"), ("a room, where corners are buried", "l-room")]
+    [ ("two squares, which have vertices of four corners", "two-squares")
+    , ("a room, where corners are buried", "l-room")
+    ]
   where
     document = toLazyByteString . complexDocument
     golden (what, name) =

@@ -79,7 +79,8 @@ data SideLook = SideLook
 --
 -- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to 1.
 sees :: SideIndex -> SideId -> SideLook
-sees index@(SideIndex complex _ _) s = SideLook (map factor (sortOn (objectOrder scene . fst) (Map.toList totals))) (length faces)
+sees index@(SideIndex complex _ _) s =
+  SideLook (map factor (sortOn (objectOrder scene . fst) (Map.toList totals))) (length faces)
   where
     scene = complexScene complex
     faces = facesOf index (Side s)
