@@ -26,6 +26,18 @@ module Visibility
   , Event (..)
   , View (..)
   , events
+    -- * The complex
+  , Complex
+  , complexOf
+  , violations
+    -- * Walking in it
+  , Viewpoint (..)
+  , Look (..)
+  , locator
+  , lookAround
+  , Sight (..)
+  , Region (..)
+  , region
     -- * Form factors
   , Measures
   , measures
@@ -38,12 +50,17 @@ module Visibility
     -- * Figures
   , sceneDrawing
   , dualDrawing
+  , viewDrawing
   , renderSvg
   ) where
 
+import Visibility.Complex (Complex, complexOf)
+import Visibility.Complex.Law (violations)
+import Visibility.Complex.Walk (Look (..), locator, lookAround)
 import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.Scene (sceneDrawing)
+import Visibility.Draw.View (viewDrawing)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
@@ -52,5 +69,6 @@ import Visibility.Format.Json (readSceneFile)
 import Visibility.Scene (Scene)
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
 import Visibility.Scene.Validate (validate)
+import Visibility.Sight (Region (..), Sight (..), Viewpoint (..), region)
 import Visibility.Sweep (Vertex, vertexCorners, vertexPairs, vertices)
 import Visibility.View (Event (..), View (..), events)

@@ -1,14 +1,18 @@
 module Visibility.Format.ComplexSpec (spec) where
 
+import Control.Monad (forM)
 import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (sortBy)
+import Data.List (sort, sortBy)
+import System.Directory (listDirectory)
+import System.FilePath (takeExtension, (</>))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Complex
 import Visibility.Format.Complex
 import Visibility.Format.Json (readSceneFile)
+import Visibility.Scene (cornerCount)
 import Visibility.Sweep
 import Visibility.Test.Generator
 
@@ -21,9 +25,17 @@ spec = describe "complexDocument" $ do
          in document (build scene (straightVertices scene)) === document (build scene (vertices scene))
   it "is that of brute force" $
     property $ \(SmallScene s) ->
-      let scene = sampleScene s
-       in document (build scene (sortBy (compareVertices scene) (bruteForce scene)))
-            === document (build scene (vertices scene))
+      let scene = sampleScene s in document (byBruteForce scene) === document (complexOf scene)
+  it "is that of brute force in the files of small scenes" $ do
+    names <- sort . filter ((== ".json") . takeExtension) <$> listDirectory "scenes"
+    compared <- forM names $ \name -> do
+      scene <- readSceneFile ("scenes" </> name) >>= either (fail . show) pure
+      if cornerCount scene > 40
+        then pure []
+        else do
+          (name, document (byBruteForce scene) == document (complexOf scene)) `shouldBe` (name, True)
+          pure [name]
+    length (concat compared) `shouldSatisfy` (>= 8)
   mapM_
     golden
     [ ("two squares, which have vertices of four corners", "two-squares")
@@ -31,6 +43,7 @@ spec = describe "complexDocument" $ do
     ]
   where
     document = toLazyByteString . complexDocument
+    byBruteForce scene = build scene (sortBy (compareVertices scene) (bruteForce scene))
     golden (what, name) =
       it ("tells all of " <> what) $ do
         scene <- readSceneFile ("test/golden/complex/" <> name <> ".scene.json") >>= either (fail . show) pure
