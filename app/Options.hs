@@ -15,7 +15,7 @@ module Options
   , GenerateOptions (..)
   ) where
 
-import Control.Applicative (optional, (<**>), (<|>))
+import Control.Applicative (optional, (<**>))
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Options.Applicative
@@ -53,6 +53,7 @@ import Options.Applicative
   , value
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
+import Options.Applicative.Types (Context (..))
 import Options.Reader
 import Visibility.Exact.Point (Arithmetic (..), Point (..))
 import Visibility.Exact.Predicate (Direction)
@@ -126,10 +127,13 @@ readCommand :: IO Command
 readCommand = customExecParser preferences whole >>= either mistaken pure
   where
     preferences = prefs showHelpOnEmpty
-    mistaken message = handleParseResult (Failure (parserFailure preferences whole (ErrorMsg message) []))
+    mistaken (Mistake name within message) =
+      handleParseResult (Failure (parserFailure preferences whole (ErrorMsg message) [Context name within]))
 
--- | A command, or a mistake that shows only when its arguments are looked at together.
-whole :: ParserInfo (Either String Command)
+-- | A mistake that shows only when the arguments of a command are looked at together: the command and what is wrong.
+data Mistake = Mistake !String !(ParserInfo (Either Mistake Command)) !String
+
+whole :: ParserInfo (Either Mistake Command)
 whole =
   info
     (commands <**> version <**> helper)
@@ -137,38 +141,43 @@ whole =
         <> header "viscomplex: the exact visibility complex of polygonal scenes"
         <> progDesc
           "What sees what in a scene of polygons, decided without rounding: the visibility graph by a topological \
-          \sweep, form factors as exact sums of square roots, figures. Scenes are JSON files; - is standard input."
+          \sweep, the whole visibility complex, views from points, corners and sides, form factors as exact sums of \
+          \square roots, figures. Scenes are JSON files; - is standard input."
         <> examples
           [ ("a scene to try things on", "viscomplex generate random --size 10 > ten.json")
           , ("how big is its complex?", "viscomplex info ten.json")
           , ("who sees whom", "viscomplex graph ten.json")
           , ("what is seen from a corner", "viscomplex view ten.json --corner 3.0")
+          , ("is the complex right?", "viscomplex verify ten.json")
           , ("form factors with 30 correct digits", "viscomplex factors ten.json --digits 30")
           , ("pictures", "viscomplex draw scene ten.json -o ten.svg\nviscomplex draw dual ten.json -o ten-dual.svg")
           , ("from another program", "viscomplex generate grid --size 9 | viscomplex graph -")
           ]
-          "Exit codes: 0 done, 1 wrong usage, 2 unreadable file, 3 not parseable, 4 invalid scene,\n\
+          "Exit codes: 0 done, 1 wrong usage, 2 unreadable or unwritable file, 3 not parseable, 4 invalid scene,\n\
           \5 a check found a difference, 70 broken internal law.\n\
           \'viscomplex COMMAND --help' explains a command."
     )
   where
     version = infoOption "viscomplex 0.2.0.0" (long "version" <> help "Print the version.")
 
-commands :: Parser (Either String Command)
+commands :: Parser (Either Mistake Command)
 commands =
   hsubparser
     ( command "info" (info (right (Info <$> common)) infoHelp)
         <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
         <> command "factors" (info (right (Factors <$> common <*> factorOptions)) factorsHelp)
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
-        <> command "view" (info (right (View <$> common <*> viewOptions)) viewHelp)
+        <> command "view" viewCommand
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
-        <> command "draw" (info drawCommand drawHelp)
+        <> command "draw" drawCommand
         <> command "generate" (info (right (Generate <$> generateOptions)) generateHelp)
     )
   where
     right = fmap Right
-    drawCommand = (\f c file -> Draw c . (`DrawOptions` file) <$> f) <$> figureKind <*> common <*> figureOption
+    viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> common <*> viewOptions)) viewHelp
+    drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
+    drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
+    mistakenIn name within = fmap (either (Left . Mistake name within) Right)
     infoHelp =
       progDesc "Count what the scene and its visibility complex consist of."
         <> examples [("a file", "viscomplex info scenes/grid.json")] ""
@@ -204,10 +213,11 @@ commands =
     viewHelp =
       progDesc
         "Print what is seen from a point, a corner or a side, as JSON: the visibility polygon, or with --normal the \
-        \form factors of a small element there; of a side, all sides that it sees with their form factors. Exact."
+        \form factors of a small element there, to which rays into the solid add nothing; of a side, all sides that it \
+        \sees with their form factors. Exact."
         <> examples
           [ ("the visibility polygon of a point", "viscomplex view scenes/room.json --from 1/2,3")
-          , ("negative coordinates need the equals sign", "viscomplex view scenes/two-squares.json --from=-1,1/2")
+          , ("of one that is not between the corners", "viscomplex view scenes/two-squares.json --from=-1,1/2")
           , ("of a corner", "viscomplex view scenes/room.json --corner 0.1")
           , ("an element that faces upwards", "viscomplex view scenes/room.json --from 1/2,3 --normal 0,1")
           , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
@@ -215,8 +225,8 @@ commands =
           ""
     verifyHelp =
       progDesc
-        "Build the complex and decide every one of its laws, exactly: one line each. Ends with exit code 5 if one does \
-        \not hold."
+        "Build the complex and decide every one of its laws, exactly: one line each, and one that counts them. Ends \
+        \with exit code 5 if one does not hold; the laws of the polygon-labelled quotient are then left out."
         <> examples [("a file", "viscomplex verify scenes/grid.json")] ""
     drawHelp =
       progDesc "Draw a figure as SVG."
@@ -311,29 +321,39 @@ detailOption =
   flag
     DecimalsOnly
     WithExactMeasures
-    (long "exact" <> help "Also print form factors as exact sums of square roots.")
+    (long "exact" <> help "Also print form factors, where there are any, as exact sums of square roots.")
 
-viewOptions :: Parser ViewOptions
-viewOptions = ViewOptions <$> fromOption <*> digitsOption <*> detailOption
-
--- | @--from@ or @--corner@, each with or without @--normal@, or @--side@.
-fromOption :: Parser From
-fromOption = point <|> corner <|> side
+-- | Where one looks from, if that is said, or what is wrong with it.
+place :: Parser (Either String (Maybe From))
+place = combined <$> point <*> corner <*> side <*> normal
   where
-    point = FromPoint . uncurry Point <$> option pairReader fromHelp <*> normal
-    corner = FromCorner <$> option (nameReader CornerName) cornerHelp <*> normal
-    side = FromSide <$> option (nameReader SideName) sideHelp
-    fromHelp =
-      long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
-    cornerHelp = long "corner" <> metavar "P.K" <> help "A corner, such as 3.0 or E.2."
-    sideHelp = long "side" <> metavar "P.K" <> help "A side, such as 3.0 or E.2."
+    point =
+      optional . option pairReader $
+        long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
+    corner = named CornerName "corner" "P.K" "A corner, such as 3.0 or E.2."
+    side = named SideName "side" "P.S" "A side, such as 3.0 or E.2."
     normal =
       optional . option directionReader $
-        long "normal" <> metavar "DX,DY" <> help "Form factors of a small element there that faces this way."
+        long "normal" <> metavar "DX,DY" <> help "Form factors of a small element that faces this way; no --side."
+    named make name shape purpose =
+      optional (option (nameReader make) (long name <> metavar shape <> help purpose))
+    combined (Just (x, y)) Nothing Nothing facing = Right (Just (FromPoint (Point x y) facing))
+    combined Nothing (Just name) Nothing facing = Right (Just (FromCorner name facing))
+    combined Nothing Nothing (Just name) Nothing = Right (Just (FromSide name))
+    combined Nothing Nothing (Just _) (Just _) = Left "--normal goes with --from or --corner, not with --side"
+    combined Nothing Nothing Nothing (Just _) = Left "--normal needs --from X,Y or --corner P.K"
+    combined Nothing Nothing Nothing Nothing = Right Nothing
+    combined _ _ _ _ = Left "give one of --from, --corner and --side, not more"
+
+viewOptions :: Parser (Either String ViewOptions)
+viewOptions = complete <$> place <*> digitsOption <*> detailOption
+  where
+    complete from wanted detail = from >>= maybe (Left nowhere) (\known -> Right (ViewOptions known wanted detail))
+    nowhere = "view needs --from X,Y, --corner P.K or --side P.S"
 
 -- | The figure, or why there is none of this kind.
 figureKind :: Parser (Either String Figure)
-figureKind = combined <$> figureName <*> optional fromOption
+figureKind = (\name from -> from >>= combined name) <$> figureName <*> place
   where
     figureName =
       argument

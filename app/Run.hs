@@ -121,5 +121,5 @@ orComplain place write = do
     Left fault
       | isResourceVanishedErrorType (ioeGetErrorType fault) -> ends Success
       | otherwise -> do
-          complain [place <> ": cannot be written: " <> ioeGetErrorString fault]
+          complain [place <> ": cannot be written: " <> ioeGetErrorString fault <> "; give a place that can be"]
           ends UnreadableInput

@@ -11,12 +11,16 @@
 module Visibility
   ( -- * Scenes
     Scene
+  , CornerId (..)
+  , SideId (..)
+  , Object (..)
   , readSceneFile
   , validate
   , RawScene (..)
   , RawPolygon (..)
   , rawPolygon
   , Point (..)
+  , Direction (..)
     -- * The sweep
   , Vertex
   , vertices
@@ -26,7 +30,7 @@ module Visibility
   , Event (..)
   , View (..)
   , events
-    -- * The complex
+    -- * The complex (its parts: "Visibility.Complex")
   , Complex
   , complexOf
   , violations
@@ -51,6 +55,7 @@ module Visibility
   , sceneDrawing
   , dualDrawing
   , viewDrawing
+  , ViewFigure (..)
   , renderSvg
   ) where
 
@@ -60,13 +65,14 @@ import Visibility.Complex.Walk (Look (..), locator, lookAround)
 import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.Scene (sceneDrawing)
-import Visibility.Draw.View (viewDrawing)
+import Visibility.Draw.View (ViewFigure (..), viewDrawing)
 import Visibility.Exact.Point (Point (..))
+import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor (FormFactor (..), Measures, formFactors, measures)
 import Visibility.Format.Json (readSceneFile)
-import Visibility.Scene (Scene)
+import Visibility.Scene (CornerId (..), Object (..), Scene, SideId (..))
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
 import Visibility.Scene.Validate (validate)
 import Visibility.Sight (Region (..), Sight (..), Viewpoint (..), region)

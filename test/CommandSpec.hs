@@ -191,8 +191,14 @@ spec = do
       refuses 1 ["no such side", "7.0"] ["view", "scenes/room.json", "--side", "7.0"] ""
       refuses 1 ["outside the enclosure"] ["view", "scenes/room.json", "--from=-100,0"] ""
       refuses 1 ["inside polygon 0"] ["view", "scenes/two-squares.json", "--from", "1/2,1/2"] ""
-      for_ ["1", "1,", "1,2,3", "x,y", "1/0,2"] $ \place ->
-        refuses 1 ["--from"] ["view", "scenes/room.json", "--from", place] ""
+      for_ ["1", "1,", "1,2,3", "x,y"] $ \place ->
+        refuses 1 ["--from", "is not a"] ["view", "scenes/room.json", "--from", place] ""
+      refuses 1 ["denominator 0"] ["view", "scenes/room.json", "--from", "1/0,2"] ""
+      refuses 1 ["-400 to 400"] ["view", "scenes/room.json", "--from", "1e401,2"] ""
+      refuses 1 ["not a name"] ["view", "scenes/room.json", "--corner", "0.01"] ""
+      refuses 1 ["view needs", "view SCENE"] ["view", "scenes/room.json"] ""
+      refuses 1 ["not with --side"] ["view", "scenes/room.json", "--side", "0.0", "--normal", "0,1"] ""
+      refuses 1 ["not more"] ["view", "scenes/room.json", "--from", "1,1", "--corner", "0.0"] ""
       refuses 1 ["normal"] ["view", "scenes/room.json", "--from", "1/2,3", "--normal", "0,0"] ""
       refuses 1 ["draw view needs"] ["draw", "view", "scenes/room.json"] ""
       refuses 1 ["for the figure view"] ["draw", "dual", "scenes/room.json", "--from", "1,1"] ""

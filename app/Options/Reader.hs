@@ -13,6 +13,7 @@ import Data.Ratio (denominator, numerator)
 import qualified Data.Text as Text
 import Options.Applicative (ReadM, eitherReader, readerError)
 import Text.Read (readMaybe)
+import Visibility.Error (numberFaultText)
 import Visibility.Exact.Predicate (Direction (..), primitive)
 import Visibility.Format.Number (readNumber)
 import Visibility.Scene (CornerName (..), PolygonId, readCornerName)
@@ -32,12 +33,10 @@ wholeNumber name least greatest word = case readMaybe word of
 -- | Two exact numbers with a comma between them.
 pairReader :: ReadM (Rational, Rational)
 pairReader = eitherReader $ \word -> case break (== ',') word of
-  (x, ',' : y) -> (,) <$> number x <*> number y
+  (x, ',' : y) | ',' `notElem` y -> (,) <$> number x <*> number y
   _ -> Left (word <> " is not a pair such as 1/2,3")
   where
-    number word = case readNumber (Text.pack word) of
-      Right q -> Right q
-      Left _ -> Left (show word <> " is not an exact number such as 2, -0.5, 1e-3 or 1/3")
+    number word = either (Left . (show word <>) . numberFaultText) Right (readNumber (Text.pack word))
 
 directionReader :: ReadM Direction
 directionReader = pairReader >>= direct

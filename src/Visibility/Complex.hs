@@ -52,6 +52,7 @@ module Visibility.Complex
   , faceFront
   , faceFirst
   , faceLast
+  , outerFace
   , Chain (..)
   , upperChain
   , lowerChain

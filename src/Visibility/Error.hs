@@ -6,6 +6,7 @@ module Visibility.Error
   ( -- * Problems of a file
     Problem (..)
   , errorText
+  , numberFaultText
     -- ** It cannot be read
   , ReadFault (..)
     -- ** It cannot be parsed
@@ -217,12 +218,16 @@ shapeText fault = case fault of
     "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
-  BadNumber found why -> foundText found <> case why of
-    NotANumber -> " is not a number; give " <> wantedText WantedNumber
-    ZeroDenominator -> " has the denominator 0; give a denominator of 1 or more"
-    ExponentTooLarge ->
-      let limit = show exponentLimit
-       in " has too large an exponent; give one from -" <> limit <> " to " <> limit
+  BadNumber found why -> foundText found <> numberFaultText why
+
+-- | What is wrong with a number and what would be right, to follow its text.
+numberFaultText :: NumberFault -> String
+numberFaultText why = case why of
+  NotANumber -> " is not a number; give " <> wantedText WantedNumber
+  ZeroDenominator -> " has the denominator 0; give a denominator of 1 or more"
+  ExponentTooLarge ->
+    let limit = show exponentLimit
+     in " has too large an exponent; give one from -" <> limit <> " to " <> limit
 
 foundText :: Found -> String
 foundText found = case found of

@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | What each corner sees just before and just after each of its vertices, in O(1) per elementary pair.
 --
 -- The stream of vertices becomes a stream of events, and that becomes edges. At a direction between two of its
@@ -15,6 +13,7 @@ module Visibility.View
   , Incidence (..)
   , incidences
   , isBuried
+  , viewOf
     -- * Tangency at a vertex
   , isTangent
   , freeBitangents
@@ -61,6 +60,18 @@ data View
 isBuried :: View -> Bool
 isBuried (Buried _) = True
 isBuried _ = False
+
+-- | The view of a corner from the numbers that tables hold: of the objects at its back and front, and 1 where the
+-- following corner lies above its line.
+viewOf :: Scene -> Int -> Int -> Int -> View
+viewOf scene back front above = case (objectOf scene back, objectOf scene front) of
+  (Just b, Just f) -> Tangent flank b f
+  (Just b, Nothing) -> Ending Front b
+  (Nothing, Just f) -> Ending Back f
+  (Nothing, Nothing) -> Buried flank
+  where
+    flank = if above == 1 then Above else Below
+{-# INLINE viewOf #-}
 
 -- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the
 -- front.
@@ -160,13 +171,7 @@ pass scene sights vertex = do
       front <- M.read (frontOf sights) p
       back <- M.read (backOf sights) p
       above <- M.read (nextAbove sights) p
-      let flank = if above == 1 then Above else Below
-          !view = case (objectOf scene (fromIntegral back), objectOf scene (fromIntegral front)) of
-            (Just b, Just f) -> Tangent flank b f
-            (Just b, Nothing) -> Ending Front b
-            (Nothing, Just f) -> Ending Back f
-            (Nothing, Nothing) -> Buried flank
-      pure view
+      pure $! viewOf scene (fromIntegral back) (fromIntegral front) (fromIntegral above)
 
 -- | An open interval of directions between consecutive vertices of a corner, during which it has one view; cut where
 -- the half turn begins.

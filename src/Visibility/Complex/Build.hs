@@ -75,6 +75,7 @@ recordWidth = 8
 faceWidth :: Int
 faceWidth = 4
 
+-- | Collects the stretch of a corner that begins with its present view.
 record :: Growing s -> Cut (M.MVector s Int32) -> Int -> ST s ()
 record records cut c = do
   (b, f, up) <- sightsNow cut c
@@ -142,7 +143,8 @@ assembled scene collected =
     fromStart = startFaces collected
     faceTotal = U.length faces `quot` faceWidth - fromStart + outer
     faceColumn k f = faces U.! (faceWidth * f + k)
-    -- The number of a face in the tables and while it was collected, where it was from its first vertex on.
+    -- From the number of a face in the tables to that while it was collected, and back: of faces that begin at a
+    -- vertex, and of the outer one. (A face at the start is the rest of one of these.)
     collectedAs f = if f < outer then f else f - outer + fromStart
     tabled f = if f < fromStart then f else f - fromStart + outer
     final f

@@ -25,7 +25,7 @@ data Numbering = Numbering
   -- everything come last.
   , vertexNumber :: VertexId -> Int
   , edgeNumber :: EdgeId -> Int
-  -- ^ Of an edge, or of a buried stretch among these.
+  -- ^ Of an edge among the edges, of a buried stretch among the buried ones: each kind is numbered from 0.
   , faceNumber :: FaceId -> Int
   }
 

@@ -49,9 +49,10 @@ locator complex = Locator complex (slabs scene) (V.fromListN (n + 1) (reverse fr
     scene = complexScene complex
     n = cornerCount scene
     sky = skyCode scene
-    outside = IntMap.fromList [(sky, face) | surroundings scene == OpenSky, face <- take 1 (facesOfNone complex)]
+    outside = IntMap.fromList [(sky, face) | Just face <- [outerFace complex]]
     fromTheRight = scanl' passed outside (map CornerId [n - 1, n - 2 .. 0])
-    -- What is above a curve where its last stretch begins is below it where the half turn begins.
+    -- A last stretch is read here from the end of the half turn on, backwards: what is above its curve where it begins
+    -- is then below, and the front is then the back.
     passed found c = foldl' enter (foldl' leave found (around BelowBack BelowFront)) (around AboveBack AboveFront)
       where
         e = lastEdgeOf complex c
@@ -61,10 +62,6 @@ locator complex = Locator complex (slabs scene) (V.fromListN (n + 1) (reverse fr
     backOf f = case faceFront complex f of
       Side (SideId s) -> s
       Sky -> sky
-
--- | The lines under the sky that miss everything.
-facesOfNone :: Complex -> [FaceId]
-facesOfNone complex = [f | f <- take 1 (faceIds complex), Nothing <- [faceFirst complex f]]
 
 -- | A point on the lattice, in homogeneous integers of its own, and the number of corners before it in lexicographic
 -- order.

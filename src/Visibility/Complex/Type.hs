@@ -42,6 +42,7 @@ module Visibility.Complex.Type
   , faceFront
   , faceFirst
   , faceLast
+  , outerFace
   , Chain (..)
   , upperChain
   , lowerChain
@@ -56,7 +57,7 @@ import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (objectOf, skyCode, solid)
-import Visibility.View (End (..), Flank (..), View (..), isTangent)
+import Visibility.View (End (..), Flank (..), View (..), isTangent, viewOf)
 
 -- | A vertex, from 0.
 newtype VertexId = VertexId Int
@@ -75,8 +76,8 @@ newtype FaceId = FaceId Int
 -- | The tables of the complex of a scene. Numbers stand for ids; −1 where there is none; objects as in the tables of
 -- the sweep ('objectOf').
 --
--- /Cost/ 36 bytes per corner of a vertex and 24 per face, besides the chains: 4 bytes per incidence of a stretch with
--- a face.
+-- /Cost/ 44 bytes per corner of a vertex, 32 per face, 4 per vertex and per corner; the chains take 4 bytes per
+-- incidence of a stretch with a face. Under the sky, face 0 is that of the lines that miss everything.
 data Complex = Complex
   { complexScene :: !Scene
   , vertexStarts :: !(U.Vector Int32)
@@ -190,7 +191,7 @@ vertexEdges complex v = filter (isEdge complex) (after <> map (edgeBefore comple
   where
     after = reverse (vertexEdgesAfter complex v)
 
--- | The incident faces, each once, in the order in which the incident stretches meet them.
+-- | The incident faces, each once, in no particular order.
 vertexFaces :: Complex -> VertexId -> [FaceId]
 vertexFaces complex v =
   nub (concatMap around (reverse after) <> concatMap (around . edgeBefore complex) after)
@@ -236,14 +237,10 @@ edgeAfter complex (EdgeId e) = EdgeId (at (stretchesAfter complex) e)
 
 -- | The view during a stretch, read as it is where the stretch begins.
 edgeView :: Complex -> EdgeId -> View
-edgeView complex (EdgeId e) = case (object stretchBacks, object stretchFronts) of
-  (Just b, Just f) -> Tangent flank b f
-  (Just b, Nothing) -> Ending Front b
-  (Nothing, Just f) -> Ending Back f
-  (Nothing, Nothing) -> Buried flank
+edgeView complex (EdgeId e) =
+  viewOf (complexScene complex) (code stretchBacks) (code stretchFronts) (code stretchFlanks)
   where
-    object table = objectOf (complexScene complex) (at (table complex) e)
-    flank = if at (stretchFlanks complex) e == 1 then Above else Below
+    code table = at (table complex) e
 
 -- | The direction in which a stretch begins. Not reduced.
 edgeFrom :: Complex -> EdgeId -> Direction
@@ -313,6 +310,12 @@ faceFirst complex (FaceId f) = vertexOrNone (at (faceFirsts complex) f)
 -- | The vertex where a face ends; it may be the same, half a turn later.
 faceLast :: Complex -> FaceId -> Maybe VertexId
 faceLast complex (FaceId f) = vertexOrNone (at (faceLasts complex) f)
+
+-- | Under the sky, the face of the lines that miss everything.
+outerFace :: Complex -> Maybe FaceId
+outerFace complex = case surroundings (complexScene complex) of
+  OpenSky -> Just (FaceId 0)
+  Room -> Nothing
 
 vertexOrNone :: Int -> Maybe VertexId
 vertexOrNone v = if v < 0 then Nothing else Just (VertexId v)

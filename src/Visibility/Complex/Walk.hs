@@ -112,7 +112,7 @@ walk complex eye piece start = case start of
   RightOfAll -> go downwards outermost Forwards
   InFace face -> go downwards face (readingAt downwards face Backwards)
   where
-    outermost = FaceId 0
+    outermost = fromMaybe (broken "a point beside everything is under the sky" (show piece)) (outerFace complex)
 
     go from face reading = case earliest (crossing Above) (crossing Below) of
       Nothing -> [stepTo upwards]

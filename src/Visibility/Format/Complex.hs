@@ -3,7 +3,6 @@
 -- | The whole complex as JSON.
 module Visibility.Format.Complex
   ( complexDocument
-  , kindText
   ) where
 
 import Data.Aeson.Encoding (Encoding, int, list, null_, pair, pairs, string)
@@ -15,6 +14,7 @@ import Visibility.Complex.Type
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..), primitive)
 import Visibility.Exact.Rounding (rationalText)
+import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.View (End (..), Flank (..), View (..))
@@ -85,7 +85,7 @@ edgeEntry complex numbering e =
       Tangent _ b f -> (objectText scene b, objectText scene f, "tangent")
       Ending Front b -> (objectText scene b, here, "ending")
       Ending Back f -> (here, objectText scene f, "ending")
-      Buried _ -> (here, here, "buried")
+      Buried _ -> broken "an edge is not buried" (show e)
 
 buriedEntry :: Complex -> Numbering -> EdgeId -> Encoding
 buriedEntry complex numbering e = pairs (ends complex numbering e <> flanks complex numbering e)

@@ -59,8 +59,9 @@ readCornerName text = case break (== '.') text of
   where
     readPolygon "E" = Just Enclosure
     readPolygon digits = Obstacle <$> natural digits
+    -- As it is written: without leading zeros.
     natural digits
-      | not (null digits), all (`elem` ['0' .. '9']) digits = readMaybe digits
+      | not (null digits), all (`elem` ['0' .. '9']) digits, take 1 digits /= "0" || digits == "0" = readMaybe digits
       | otherwise = Nothing
 
 -- | A corner's rank in the lexicographic order of the scene's corners, from 0.

@@ -43,8 +43,7 @@ import Visibility.Sweep.Sights
 -- ends there without having begun lies above all curves: it goes on past the vertex. One that begins and does not end
 -- lies below all: it goes on too. One that begins and ends is closed by the vertex. Just after the vertex the corners
 -- lie from top to bottom in their order; what begins and ends now is opened by the vertex, and everything else is one
--- of the faces that go on, of the same label. A face can be opened and closed by no single vertex, so each has an
--- interior.
+-- of the faces that go on, of the same label. No face is opened and closed by one vertex, so each has an interior.
 
 -- | What is seen from the corners, the faces on the quarters around them, and three tables by object that are empty
 -- between vertices: faces above the vertex at hand, faces below it, and quarters whose face is not known yet.

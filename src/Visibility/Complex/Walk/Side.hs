@@ -68,7 +68,7 @@ facesOf (SideIndex complex starts listed) object =
 -- | What is seen from a side.
 data SideLook = SideLook
   { sideFactors :: ![FormFactor]
-  -- ^ Those that are not zero, by the names of what is seen, the sky last.
+  -- ^ Of all that it sees: faces have positive measures, so none is zero. By the names of what is seen, the sky last.
   , sideFaces :: !Int
   -- ^ How many faces were visited.
   }
