@@ -10,6 +10,7 @@ module Visibility.Complex.Build
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
+import Data.Bits (shiftR, (.&.))
 import Data.Int (Int32)
 import Data.STRef (STRef, newSTRef, readSTRef, writeSTRef)
 import qualified Data.Vector.Unboxed as U
@@ -82,7 +83,7 @@ record records cut c = do
   (q0, q1, q2, q3) <- quartersNow cut c
   i <- reserve records recordWidth
   table <- content records
-  let put k x = M.write table (i + k) (fromIntegral (x :: Int))
+  let put k x = M.unsafeWrite table (i + k) (fromIntegral (x :: Int))
   put 0 c >> put 1 b >> put 2 f >> put 3 up >> put 4 q0 >> put 5 q1 >> put 6 q2 >> put 7 q3
 
 -- | What has been collected along the sweep.
@@ -132,9 +133,9 @@ assembled scene collected =
     records = collectedStretches collected
     faces = collectedFaces collected
     total = U.length records `quot` recordWidth
-    column k = U.generate total (\i -> records U.! (recordWidth * i + k))
+    column k = U.generate total (\i -> records `U.unsafeIndex` (recordWidth * i + k))
     stretchCorner = column 0
-    quarters = U.generate (4 * total) (\i -> records U.! (recordWidth * (i `quot` 4) + 4 + i `rem` 4))
+    quarters = U.generate (4 * total) (\i -> records `U.unsafeIndex` (2 * i + 4 - i .&. 3))
     vertexOf = spread starts
     (before, after, lasts) = linked (cornerCount scene) stretchCorner
 
@@ -179,12 +180,10 @@ assembled scene collected =
       | fromIntegral f < outer = if above then 2 else 3 :: Int
       | fromIntegral f >= fromStart = if above then 2 else 0
       | otherwise = if above then 1 else 3
-    incidence i
-      | f < 0 || (odd i && quarters U.! (i - 1) == f) = -1
-      | otherwise = 4 * fromIntegral (final f) + part (i `rem` 4 < 2) f
-      where
-        f = quarters U.! i
-    (chainStarts, chained) = grouped (4 * faceTotal) (4 * total) incidence (`quot` 4)
+    chainOf i f
+      | f < 0 || (odd i && quarters `U.unsafeIndex` (i - 1) == f) = -1
+      | otherwise = 4 * final f + fromIntegral (part (i .&. 2 == 0) f)
+    (chainStarts, chained) = grouped (4 * faceTotal) (U.imap chainOf quarters) (`shiftR` 2)
 
 -- | For entries that say where the items of each group start: the group of each item.
 spread :: U.Vector Int32 -> U.Vector Int32
@@ -219,24 +218,24 @@ linked n owners = runST $ do
   where
     total = U.length owners
 
--- | Sorts items into so many groups, keeping their order: where each group starts, and the items by their groups.
--- Items of a negative group are left out.
-grouped :: Int -> Int -> (Int -> Int) -> (Int -> Int) -> (U.Vector Int32, U.Vector Int32)
-grouped groups items groupOf shown = runST $ do
+-- | Sorts items into so many groups, keeping their order: where each group starts, and what is to be shown of the items,
+-- by their groups. Items of a negative group are left out.
+grouped :: Int -> U.Vector Int32 -> (Int -> Int) -> (U.Vector Int32, U.Vector Int32)
+grouped groups groupOf shown = runST $ do
   sizes <- M.replicate (groups + 1) (0 :: Int32)
   each (\_ g -> M.modify sizes (+ 1) (g + 1))
   forM_ [1 .. groups] $ \g -> do
-    size <- M.read sizes (g - 1)
-    M.modify sizes (+ size) g
+    size <- M.unsafeRead sizes (g - 1)
+    M.unsafeModify sizes (+ size) g
   starts <- U.freeze sizes
   table <- M.new (fromIntegral (U.last starts))
   each $ \i g -> do
-    place <- M.read sizes g
-    M.write table (fromIntegral place) (fromIntegral (shown i))
-    M.write sizes g (place + 1)
+    place <- M.unsafeRead sizes g
+    M.unsafeWrite table (fromIntegral place) (fromIntegral (shown i))
+    M.unsafeWrite sizes g (place + 1)
   (,) starts <$> U.unsafeFreeze table
   where
-    each act = forM_ [0 .. items - 1] $ \i -> let g = groupOf i in when (g >= 0) (act i g)
+    each act = U.imapM_ (\i g -> when (g >= 0) (act i (fromIntegral g))) groupOf
 {-# INLINE grouped #-}
 
 -- | A table that grows at its end, and how much of it is filled.

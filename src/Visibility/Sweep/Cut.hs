@@ -99,6 +99,9 @@ openCut scene keeper = do
   pure cut
 {-# INLINE openCut #-}
 
+-- Tables are read and written below without checks of their bounds: corners are below n, quarters below 4n, and objects,
+-- where they are no solid, at most n.
+
 -- | Turns the cut through a vertex.
 --
 -- /Requires/ vertices in an order in which each corner's vertices come by increasing direction.
@@ -115,9 +118,9 @@ cross scene keeper cut vertex = do
 -- | Back and front object of a corner, and 1 where the following corner lies above its line.
 sightsNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int)
 sightsNow cut c = do
-  b <- M.read (backOf (cutSights cut)) c
-  f <- M.read (frontOf (cutSights cut)) c
-  up <- M.read (nextAbove (cutSights cut)) c
+  b <- M.unsafeRead (backOf (cutSights cut)) c
+  f <- M.unsafeRead (frontOf (cutSights cut)) c
+  up <- M.unsafeRead (nextAbove (cutSights cut)) c
   pure (fromIntegral b, fromIntegral f, fromIntegral up)
 {-# INLINE sightsNow #-}
 
@@ -126,7 +129,7 @@ sightsNow cut c = do
 quartersNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int, Int)
 quartersNow cut c = (,,,) <$> quarter 0 <*> quarter 1 <*> quarter 2 <*> quarter 3
   where
-    quarter k = fromIntegral <$> M.read (cutQuarters cut) (4 * c + k)
+    quarter k = fromIntegral <$> M.unsafeRead (cutQuarters cut) (4 * c + k)
 {-# INLINE quartersNow #-}
 
 -- | The faces on the quarters of all corners, four each, as in 'quartersNow'.
@@ -173,15 +176,15 @@ firstQuarter (Both q) = q
 leave :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [Int] -> ST s ()
 leave scene keeper cut line = forM_ line $ \c -> do
   incident scene cut c above below
-  forM_ [4 * c .. 4 * c + 3] $ \q -> M.write (cutQuarters cut) q (-1)
+  forM_ [4 * c .. 4 * c + 3] $ \q -> M.unsafeWrite (cutQuarters cut) q (-1)
   where
     above place b _ = do
-      face <- M.read (cutQuarters cut) (firstQuarter place)
-      begun <- M.read (facesBelow cut) b
+      face <- M.unsafeRead (cutQuarters cut) (firstQuarter place)
+      begun <- M.unsafeRead (facesBelow cut) b
       if begun == face
-        then M.write (facesBelow cut) b (-1) >> closed keeper (fromIntegral face)
-        else M.write (facesAbove cut) b face
-    below place b _ = M.read (cutQuarters cut) (firstQuarter place) >>= M.write (facesBelow cut) b
+        then M.unsafeWrite (facesBelow cut) b (-1) >> closed keeper (fromIntegral face)
+        else M.unsafeWrite (facesAbove cut) b face
+    below place b _ = M.unsafeRead (cutQuarters cut) (firstQuarter place) >>= M.unsafeWrite (facesBelow cut) b
 {-# INLINE leave #-}
 
 -- | Finds the faces around the corners of a vertex, from top to bottom, just after it: opens those that begin here, and
@@ -192,28 +195,28 @@ settle scene keeper cut line = do
   forM_ line $ \c -> incident scene cut c (\_ _ _ -> pure ()) remaining
   where
     above place b f = do
-      waiting <- M.read (unsettled cut) b
+      waiting <- M.unsafeRead (unsettled cut) b
       face <-
         if waiting >= 0
           then do
-            M.write (unsettled cut) b (-1)
+            M.unsafeWrite (unsettled cut) b (-1)
             face <- fromIntegral <$> opened keeper b f
             put (decoded waiting) face
             pure face
           else taken (facesAbove cut) b
       put place face
-    below place b _ = M.write (unsettled cut) b (encoded place)
+    below place b _ = M.unsafeWrite (unsettled cut) b (encoded place)
     remaining place b _ = do
-      waiting <- M.read (unsettled cut) b
+      waiting <- M.unsafeRead (unsettled cut) b
       when (waiting == encoded place) $ do
-        M.write (unsettled cut) b (-1)
+        M.unsafeWrite (unsettled cut) b (-1)
         taken (facesBelow cut) b >>= put place
-    put (One q) face = M.write (cutQuarters cut) q face
-    put (Both q) face = M.write (cutQuarters cut) q face >> M.write (cutQuarters cut) (q + 1) face
+    put (One q) face = M.unsafeWrite (cutQuarters cut) q face
+    put (Both q) face = M.unsafeWrite (cutQuarters cut) q face >> M.unsafeWrite (cutQuarters cut) (q + 1) face
     taken table b = do
-      face <- M.read table b
+      face <- M.unsafeRead table b
       when (face < 0) $ broken "a face that goes on past a vertex was there before it" (show (line, b))
-      M.write table b (-1)
+      M.unsafeWrite table b (-1)
       pure face
     encoded (One q) = fromIntegral (2 * q) :: Int32
     encoded (Both q) = fromIntegral (2 * q + 1)

@@ -54,8 +54,8 @@ turnThrough scene sights vertex = do
   forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing p q (frontOf sights)
   forM_ pairs $ \(CornerId p, CornerId q) -> do
     landing q p (backOf sights)
-    when (following p == q) (M.modify (nextAbove sights) (1 -) p)
-    when (following q == p) (M.modify (nextAbove sights) (1 -) q)
+    when (following p == q) (M.unsafeModify (nextAbove sights) (1 -) p)
+    when (following q == p) (M.unsafeModify (nextAbove sights) (1 -) q)
   where
     pairs = vertexPairs vertex
     following p = let CornerId q = nextCorner scene (CornerId p) in q
@@ -64,7 +64,7 @@ turnThrough scene sights vertex = do
     -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
     -- obstacle, a side of q that stands in the way, or what q sees itself.
     landing !p !q objects
-      | following p == q, preceding p /= q = M.write objects p (fromIntegral solid)
+      | following p == q, preceding p /= q = M.unsafeWrite objects p (fromIntegral solid)
       | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn =
-          M.write objects p (fromIntegral (preceding q))
-      | otherwise = M.read objects q >>= M.write objects p
+          M.unsafeWrite objects p (fromIntegral (preceding q))
+      | otherwise = M.unsafeRead objects q >>= M.unsafeWrite objects p
