@@ -246,7 +246,7 @@ wantedText wanted = case wanted of
   WantedScene -> "an object with the key \"polygons\""
   WantedFormat -> "\"viscomplex/1\""
   WantedString -> "a string"
-  WantedPolygon -> "an object with the key \"corners\", or just the list of corners"
+  WantedPolygon -> "an object with the key \"corners\" or \"wall\", or just the list of corners"
   WantedPolygons -> "a list of polygons"
   WantedCorners -> "a list of corners [x, y]"
   WantedCorner -> "a list of two numbers [x, y]"

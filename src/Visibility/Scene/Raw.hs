@@ -2,7 +2,10 @@
 module Visibility.Scene.Raw
   ( RawScene (..)
   , RawPolygon (..)
+  , Form (..)
   , rawPolygon
+  , rawWall
+  , sideTotal
   , Material (..)
   , black
   , MaterialOverride (..)
@@ -20,9 +23,10 @@ data RawScene = RawScene
   }
   deriving (Eq, Show)
 
--- | A polygon with its corners in the file's order, in either orientation. Two corners make a thin wall.
+-- | A polygon with its corners in the file's order, in either orientation; or a thin wall.
 data RawPolygon = RawPolygon
   { rawPolygonName :: !(Maybe Text)
+  , rawForm :: !Form
   , rawCorners :: ![Point]
   , rawMaterial :: !Material
   , rawSides :: !(Map.Map Int MaterialOverride)
@@ -30,9 +34,34 @@ data RawPolygon = RawPolygon
   }
   deriving (Eq, Show)
 
--- | A nameless black polygon that emits nothing.
+-- | How a polygon's corners are joined.
+data Form
+  = -- | Around an area, the last corner with the first. Side k joins the corners k and k + 1.
+    Ring
+  | -- | In a line, a thin wall. Of n corners, side k joins the corners k and k + 1, and side 2n − 3 − k is the other face
+    -- of the same piece: the sides go along one face of the wall and back along the other.
+    Polyline
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | A nameless black polygon that emits nothing. Two corners make a thin wall.
 rawPolygon :: [Point] -> RawPolygon
-rawPolygon points = RawPolygon Nothing points black Map.empty
+rawPolygon points = RawPolygon Nothing form points black Map.empty
+  where
+    form = case points of
+      [_, _] -> Polyline
+      _ -> Ring
+
+-- | A nameless black thin wall that emits nothing.
+rawWall :: [Point] -> RawPolygon
+rawWall points = (rawPolygon points) {rawForm = Polyline}
+
+-- | How many sides a polygon has.
+sideTotal :: RawPolygon -> Int
+sideTotal polygon = case rawForm polygon of
+  Ring -> n
+  Polyline -> 2 * (n - 1)
+  where
+    n = length (rawCorners polygon)
 
 -- | What a side does with light: emitted power per unit length, and the part of the incident power that it reflects.
 data Material = Material {emission :: !Rational, reflectivity :: !Rational}

@@ -15,6 +15,7 @@ import Data.Foldable (traverse_)
 import Data.List (intersperse)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -67,7 +68,7 @@ sceneAt path (Object members) =
     *> traverse (uncurry formatAt) (member "format")
     *> ( RawScene
           <$> traverse (uncurry stringAt) (member "name")
-          <*> traverse (uncurry polygonAt) (member "enclosure")
+          <*> traverse (uncurry enclosureAt) (member "enclosure")
           <*> maybe (wrong path (MissingKey "polygons" WantedPolygons)) (uncurry polygonsAt) (member "polygons")
        )
   where
@@ -86,15 +87,27 @@ polygonsAt :: JsonPath -> Document -> Checked [RawPolygon]
 polygonsAt path (List items) = eachItem polygonAt path items
 polygonsAt path other = wrongKind path other WantedPolygons
 
-polygonAt :: JsonPath -> Document -> Checked RawPolygon
+-- | An enclosure has corners only; an obstacle may be stated as a wall instead.
+enclosureAt, polygonAt :: JsonPath -> Document -> Checked RawPolygon
+enclosureAt = shapeAt ["corners"]
 polygonAt path document = case document of
+  Object members | Just _ <- lookup "wall" members -> shapeAt ["wall"] path document
+  Object members | Nothing <- lookup "corners" members -> shapeAt ["corners", "wall"] path document
+  _ -> shapeAt ["corners"] path document
+
+-- | A polygon whose corners are given under one of these keys.
+shapeAt :: [Text] -> JsonPath -> Document -> Checked RawPolygon
+shapeAt cornerKeys path document = case document of
   List _ -> rawPolygon <$> cornersAt path document
   Object members ->
     let member = memberOf path members
-     in checkedKeys path ["name", "corners", "emission", "reflectivity", "sides"] members
-          *> ( RawPolygon
+        stated key = (,) (if key == "wall" then rawWall else rawPolygon) <$> member key
+     in checkedKeys path (["name"] <> cornerKeys <> ["emission", "reflectivity", "sides"]) members
+          *> ( described
                 <$> traverse (uncurry stringAt) (member "name")
-                <*> maybe (wrong path (MissingKey "corners" WantedCorners)) (uncurry cornersAt) (member "corners")
+                <*> case mapMaybe stated cornerKeys of
+                  (made, (at, corners)) : _ -> made <$> cornersAt at corners
+                  [] -> wrong path (MissingKey "corners" WantedCorners)
                 <*> ( Material
                         <$> maybe (Good (emission black)) (uncurry numberAt) (member "emission")
                         <*> maybe (Good (reflectivity black)) (uncurry numberAt) (member "reflectivity")
@@ -102,6 +115,9 @@ polygonAt path document = case document of
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
   _ -> wrongKind path document WantedPolygon
+  where
+    described name polygon material overrides =
+      polygon {rawPolygonName = name, rawMaterial = material, rawSides = overrides}
 
 cornersAt :: JsonPath -> Document -> Checked [Point]
 cornersAt path (List items) = eachItem cornerAt path items
@@ -204,10 +220,11 @@ sceneDocument (RawScene name enclosure polygons) =
       _ -> "[\n    " <> commaSeparated ",\n    " (map polygonDocument polygons) <> "\n  ]"
 
 polygonDocument :: RawPolygon -> Builder
-polygonDocument (RawPolygon name corners material sides)
-  | null others = cornerList
-  | otherwise = braces (title <> [pair "corners" cornerList] <> drop (length title) others)
+polygonDocument (RawPolygon name form corners material sides)
+  | null others && key == "corners" = cornerList
+  | otherwise = braces (title <> [pair key cornerList] <> drop (length title) others)
   where
+    key = if form == rawForm (rawPolygon corners) then "corners" else "wall"
     title = [pair "name" (textDocument text) | Just text <- [name]]
     others =
       title
@@ -218,7 +235,7 @@ polygonDocument (RawPolygon name corners material sides)
     side (k, MaterialOverride e r) =
       pair
         (Text.pack (show k))
-        (braces [pair key (numberDocument x) | (key, Just x) <- [("emission", e), ("reflectivity", r)]])
+        (braces [pair part (numberDocument x) | (part, Just x) <- [("emission", e), ("reflectivity", r)]])
 
 numberDocument :: Rational -> Builder
 numberDocument q = case decimalText q of
