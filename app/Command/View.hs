@@ -25,10 +25,10 @@ runView :: Common -> ViewOptions -> IO ()
 runView common options = seeing common (viewFrom options) printed document
   where
     document scene seen = case seen of
-      SeenRegion viewpoint sights -> regionDocument scene viewpoint (region scene (viewpointAt scene viewpoint) sights)
+      SeenRegion viewpoint sights -> regionDocument viewpoint (region scene (viewpointAt viewpoint) sights)
       SeenByElement viewpoint normal sights ->
-        elementDocument (viewDetail options) (viewDigits options) scene viewpoint normal (elementFactors normal sights)
-      SeenBySide side factors -> sideDocument (viewDetail options) (viewDigits options) scene side factors
+        elementDocument (viewDetail options) (viewDigits options) viewpoint normal (elementFactors scene normal sights)
+      SeenBySide side factors -> sideDocument (viewDetail options) (viewDigits options) side factors
 
 -- | As a figure.
 runDrawView :: Common -> From -> Maybe FilePath -> IO ()
@@ -37,19 +37,19 @@ runDrawView common from file = seeing common from (written file) document
     document scene seen = lazyByteString (renderSvg (viewDrawing scene (figureOf scene seen)))
     figureOf scene seen = case seen of
       SeenRegion viewpoint sights ->
-        let point = viewpointAt scene viewpoint in RegionFigure point (region scene point sights)
+        let point = viewpointAt viewpoint in RegionFigure point (region scene point sights)
       SeenByElement viewpoint normal sights ->
-        ElementFigure (viewpointAt scene viewpoint) normal sights (elementFactors normal sights)
+        ElementFigure (viewpointAt viewpoint) normal sights (elementFactors scene normal sights)
       SeenBySide side factors -> SideFigure side [(factorTo f, factorValue f) | f <- factors]
 
 -- | What there was to see.
-data Seen
+data Sighting
   = SeenRegion !Viewpoint ![Sight]
   | SeenByElement !Viewpoint !Direction ![Sight]
-  | SeenBySide !SideId ![FormFactor]
+  | SeenBySide !SideName ![FormFactor]
 
 -- | Looks from somewhere in a scene and tells it. A place that is not in the scene, or in the solid, is wrong usage.
-seeing :: Common -> From -> (Builder -> IO ()) -> (Scene -> Seen -> Builder) -> IO ()
+seeing :: Common -> From -> (Builder -> IO ()) -> (Scene -> Sighting -> Builder) -> IO ()
 seeing common from write document = withScene common $ \scene ->
   case placed scene from of
     Left problem -> refuse problem
@@ -59,22 +59,22 @@ seeing common from write document = withScene common $ \scene ->
     refuse problem = complain [problem] >> ends WrongUsage
 
 -- | A place in the scene, with the normal of an element there.
-data Looking = LookingFrom !Viewpoint !(Maybe Direction) | LookingFromSide !SideId
+data Looking = LookingFrom !Viewpoint !(Maybe Direction) | LookingFromSide !SideName
 
 placed :: Scene -> From -> Either String Looking
 placed scene from = case from of
   FromPoint point normal -> Right (LookingFrom (AtPoint point) normal)
   FromCorner name normal ->
-    maybe (missing "corner" (cornerText name)) (Right . (`LookingFrom` normal) . AtCorner) (cornerNamed scene name)
-  FromSide name -> maybe (missing "side" (sideText name)) (Right . LookingFromSide) (sideNamed scene name)
+    maybe (missing "corner" (cornerText name)) (Right . (`LookingFrom` normal) . AtCorner name) (statedPoint scene name)
+  FromSide name -> maybe (missing "side" (sideText name)) (const (Right (LookingFromSide name))) (piecesOf scene name)
   where
     missing what name =
       Left ("--" <> what <> " " <> name <> ": the scene has no such " <> what <> "; give one such as " <> anyName)
-    anyName = concatMap (cornerText . cornerName scene) (take 1 (corners scene))
+    anyName = concatMap (cornerText . fst) (take 1 (statedCorners scene))
 
-looked :: Scene -> Looking -> [Vertex] -> Either String Seen
+looked :: Scene -> Looking -> [Vertex] -> Either String Sighting
 looked scene looking swept = case looking of
-  LookingFromSide side -> Right (SeenBySide side (sideFactors (sees (sideIndex complex) side)))
+  LookingFromSide side -> Right (SeenBySide side (maybe [] sideFactors (sees (sideIndex complex) side)))
   LookingFrom viewpoint normal -> case lookAround (locator complex) viewpoint of
     Left solid -> Left (inSolid solid)
     Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))

@@ -16,7 +16,7 @@ data Counts = Counts
   , degenerateCount :: !Int
   -- ^ Vertices with three or more corners.
   , pairCount :: !Int
-  -- ^ m, the elementary visible pairs.
+  -- ^ m, the elementary visible pairs, as the file calls them.
   , bitangentCount :: !Int
   -- ^ Elementary pairs whose line is tangent at both corners, sides left out.
   , edgeCount :: !Int
@@ -45,9 +45,9 @@ count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
     add counts (Event vertex _ after) =
       Counts
         { vertexCount = vertexCount counts + 1
-        , degenerateCount = degenerateCount counts + (if isDegenerate vertex then 1 else 0)
-        , pairCount = pairCount counts + length (vertexPairs vertex)
-        , bitangentCount = bitangentCount counts + length (freeBitangents scene vertex)
+        , degenerateCount = degenerateCount counts + (if isDegenerate scene vertex then 1 else 0)
+        , pairCount = pairCount counts + length (concatMap (statedPairs scene) (vertexPairs scene vertex))
+        , bitangentCount = bitangentCount counts + length (concatMap (statedPairs scene) (freeBitangents scene vertex))
         , edgeCount = edgeCount counts + length (filter (not . isBuried) after)
         , buriedCount = buriedCount counts + length (filter isBuried after)
         , faceCount = faceCount counts + facesBegun scene (zip (vertexCorners vertex) after)

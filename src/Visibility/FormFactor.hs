@@ -9,6 +9,7 @@ module Visibility.FormFactor
     Measures
   , measures
   , measureList
+  , statedMeasures
     -- * Form factors
   , FormFactor (..)
   , formFactors
@@ -19,10 +20,10 @@ module Visibility.FormFactor
   ) where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', sortOn)
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
-import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import Visibility.Law (broken)
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum (RootSum)
@@ -84,13 +85,11 @@ alongLine :: Scene -> Vertex -> (Integer, [Integer])
 alongLine scene vertex = (px * px + py * py, map position displacements)
   where
     line = vertexCorners vertex
-    displacements = map (difference (cornerAt scene (firstOf vertex)) . cornerAt scene) line
-    Vector2 dx dy = difference (cornerAt scene (firstOf vertex)) (cornerAt scene (vertexLast vertex))
+    displacements = map (difference (cornerAt scene (vertexFirst vertex)) . cornerAt scene) line
+    Vector2 dx dy = difference (cornerAt scene (vertexFirst vertex)) (cornerAt scene (vertexLast vertex))
     divisor = gcd dx dy
     (px, py) = (dx `quot` divisor, dy `quot` divisor)
     position (Vector2 x y) = if px == 0 then y `quot` py else x `quot` px
-    firstOf (Vertex a _ _) = a
-
 -- | One number for an unordered pair of objects.
 pairKey :: Scene -> Object -> Object -> Int
 pairKey scene a b = min x y * (n + 1) + max x y
@@ -126,54 +125,75 @@ toRootSum scene roots =
 
 -- | A form factor that is not exactly zero.
 data FormFactor = FormFactor
-  { factorFrom :: !SideId
-  , factorTo :: !Object
+  { factorFrom :: !SideName
+  , factorTo :: !Seen
   , factorMeasure :: !RootSum
   -- ^ A(s, t), in the file's units: 2 L_s F_st.
   , factorValue :: RootSum
   -- ^ F_st: the part of the light leaving s, uniform and diffuse, that reaches t.
   }
 
--- | All form factors that are not exactly zero, ordered by the names of the side they leave and of the object they
--- reach, the sky last.
+-- | All form factors that are not exactly zero, by the side they leave and what they reach, the sky last.
 --
--- /Laws/ Σ_t F_st = 1 (closure); L_s F_st = L_t F_ts (reciprocity); both exact.
+-- /Degenerate cases/ a side whose parts are covered counts as a whole, with its whole length; what leaves a covered part
+-- reaches nothing.
+--
+-- /Laws/ Σ_t F_st is the part of s that is not covered, 1 where nothing is (closure); L_s F_st = L_t F_ts (reciprocity);
+-- both exact.
 formFactors :: Scene -> Measures -> [FormFactor]
 formFactors scene sums =
   [ formFactor scene s t total
-  | s <- sortOn (sideName scene) (sides scene)
-  , (t, total) <- sortOn (objectOrder scene . fst) (bySide V.! indexOf s)
+  | (s, row) <- Map.toAscList bySide
+  , (t, total) <- Map.toAscList row
   ]
   where
-    bySide = V.accumulate (flip (:)) (V.replicate (cornerCount scene) []) (V.fromList entries)
-    entries = concatMap both (measureList scene sums)
-    both ((a, b), total) = [(indexOf s, (b, total)) | Side s <- [a]] <> [(indexOf s, (a, total)) | Side s <- [b]]
-    indexOf (SideId s) = s
+    bySide = Map.fromListWith Map.union [(s, Map.singleton t total) | entry <- statedMeasures scene sums, (s, t, total) <- both entry]
+    both ((a, b), total) = [(s, b, total) | TheSide s <- [a]] <> [(s, a, total) | TheSide s <- [b]]
 
--- | The form factor from a side to an object, from the measure of the lines between them in the file's units.
-formFactor :: Scene -> SideId -> Object -> RootSum -> FormFactor
+-- | The measure of the lines between each two things of the file that see each other, each pair once: those of all pieces
+-- of a side, added up.
+statedMeasures :: Scene -> Measures -> [((Seen, Seen), RootSum)]
+statedMeasures scene (Measures sums) =
+  [((seenAs scene a, seenAs scene b), total) | ((a, b), total) <- measureList scene (Measures merged)]
+  where
+    -- Each piece counts as the first one of its side.
+    leaders = U.fromList [leader s | s <- sides scene]
+    leader s = case piecesOf scene (sideName scene s) of
+      Just (SideId least : _) -> least
+      _ -> let SideId own = s in own
+    merged
+      | U.and (U.imap (==) leaders) = sums
+      | otherwise = IntMap.filter (not . Map.null) (IntMap.fromListWith addRoots (map lead (IntMap.toList sums)))
+    lead (key, roots) = let (a, b) = keyPair scene key in (pairKey scene (first a) (first b), roots)
+    first (Side (SideId s)) = Side (SideId (leaders U.! s))
+    first Sky = Sky
+    addRoots a b = Map.filter (/= 0) (Map.unionWith (+) a b)
+
+-- | The form factor from a side to something seen, from the measure of the lines between them in the file's units.
+formFactor :: Scene -> SideName -> Seen -> RootSum -> FormFactor
 formFactor scene s t total = FormFactor s t total $
   case RootSum.terms (sideLength scene s) of
     [(c, n)] | Just value <- RootSum.quotientByRoot total (2 * c) n -> value
-    _ -> broken "a side has a length" (sideText (sideName scene s))
+    _ -> broken "a side has a length" (sideText s)
 
--- | The length of a side in the file's units, a single root.
-sideLength :: Scene -> SideId -> RootSum
+-- | The length of a side in the file's units, a single root. /Requires/ the name of a side.
+sideLength :: Scene -> SideName -> RootSum
 sideLength scene s = RootSum.hypotenuse (1 % latticeScale (sceneLattice scene)) dx dy
   where
-    Vector2 dx dy = difference (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
+    Vector2 dx dy = sideSpan scene s
 
--- | What a side lacks to closure: Σ_t A(s, t) − 2 L_s for all sides, in the order of their ids. Each is exactly zero.
-closureDefect :: Scene -> Measures -> [(SideId, RootSum)]
+-- | What a side lacks to closure: Σ_t A(s, t) − 2 u L_s for all sides by name, u being the part of it that nothing covers.
+-- Each is exactly zero.
+closureDefect :: Scene -> Measures -> [(SideName, RootSum)]
 closureDefect scene sums =
-  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` RootSum.scaled 2 (sideLength scene s))
-  | s <- sides scene
+  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` RootSum.scaled (2 * uncovered scene s) (sideLength scene s))
+  | s <- statedSides scene
   ]
   where
     rows =
       Map.fromListWith
         RootSum.plus
         [ (s, total)
-        | ((a, b), total) <- measureList scene sums
-        , Side s <- [a, b]
+        | ((a, b), total) <- statedMeasures scene sums
+        , TheSide s <- [a, b]
         ]

@@ -16,8 +16,6 @@ module Visibility.Ray
   , viewFrom
   , hiders
     -- * The solid at a corner
-  , Moment (..)
-  , entersSolid
   , nextFlank
     -- * Directions
   , between
@@ -28,6 +26,7 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..), Turn (..), directionTurn, reversed)
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.View
 
 -- | What a ray meets first.
@@ -196,30 +195,6 @@ hidersBetween n following coordinate p q = go 0
         apart = signum (sideOf px py) * signum (sideOf qx qy) < 0
 {-# INLINE hidersBetween #-}
 
--- | When to look, while a direction turns to the left: at it, or next to nothing before or after it.
-data Moment = JustBefore | JustThen | JustAfter
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | Does a ray from a corner enter the solid right there? The solid lies between the side to the following corner and,
--- counter-clockwise from it, the side to the preceding one.
---
--- /Degenerate cases/ 'JustThen', a ray along a side does not; an end of a thin wall has no solid.
---
--- /Cost/ O(1).
-entersSolid :: Scene -> Moment -> CornerId -> Direction -> Bool
-entersSolid scene moment c ray
-  | isWallCorner scene c = False
-  | otherwise = inside || (moment == JustAfter && along to) || (moment == JustBefore && along from)
-  where
-    to = heading scene c (nextCorner scene c)
-    from = heading scene c (previousCorner scene c)
-    inside = case directionTurn to from of
-      LeftTurn -> left to ray && left ray from
-      Collinear -> left to ray
-      RightTurn -> not (directionTurn from ray /= RightTurn && directionTurn ray to /= RightTurn)
-    left a b = directionTurn a b == LeftTurn
-    along side = directionTurn side ray == Collinear && sameWay side ray
-
 -- | The flank of the line through a corner on which the following corner of its polygon lies.
 --
 -- /Degenerate cases/ 'JustThen', the side to it must not lie in the line.
@@ -230,15 +205,6 @@ nextFlank scene moment c ray = case directionTurn ray to of
   Collinear -> if sameWay ray to == (moment == JustBefore) then Above else Below
   where
     to = heading scene c (nextCorner scene c)
-
-heading :: Scene -> CornerId -> CornerId -> Direction
-heading scene a b = Direction x y
-  where
-    Vector2 x y = difference (cornerAt scene a) (cornerAt scene b)
-
--- | Do two parallel directions lead the same way?
-sameWay :: Direction -> Direction -> Bool
-sameWay (Direction ax ay) (Direction bx by) = ax * bx + ay * by > 0
 
 -- | A direction strictly between two others, reached from the first by turning left, before the second.
 --

@@ -1,7 +1,9 @@
 -- | The abstract valid scene: corners, sides and polygons with typed ids, on one integer lattice.
 --
 -- The only door to a 'Scene' is "Visibility.Scene.Validate", which reports every violation. So whoever holds a 'Scene'
--- may rely on its polygons being simple, without spikes, pairwise disjoint and inside the enclosure.
+-- may rely on its polygons being simple, without spikes, without overlaps and inside the enclosure. Where they touch, the
+-- boundary of free space is cut into walks that share places but never meet ("Visibility.Scene.Boundary"): corners and
+-- sides are those of the walks, and know what the file calls them.
 module Visibility.Scene
   ( -- * The scene
     Scene
@@ -15,26 +17,40 @@ module Visibility.Scene
     -- * Polygons
   , Polygon (..)
   , scenePolygons
+  , sceneContacts
+  , statedCorners
     -- * Corners
   , cornerCount
   , corners
-  , cornerName
-  , cornerNamed
   , cornerAt
   , cornerPoint
   , nextCorner
   , previousCorner
   , neighbourTable
-  , isWallCorner
+  , samePlace
+  , placeNumbers
+  , placeGroups
+  , isWallEnd
+  , isSplitEnd
+  , hasSplitEnds
+    -- ** Their names
+  , cornerName
+  , namesHere
+  , cornersNamed
+  , statedPoint
     -- * Sides
   , sides
-  , sideName
-  , sideNamed
   , sideStart
   , sideEnd
   , sideMaterial
+    -- ** Their names
+  , sideName
+  , statedSides
+  , piecesOf
+  , sideSpan
+  , uncovered
+  , seenAs
   , objectText
-  , objectOrder
     -- * Names
   , module Visibility.Scene.Id
   ) where

@@ -28,15 +28,16 @@ import Visibility.Scene
 
 -- | Where somebody stands.
 data Viewpoint
-  = AtCorner !CornerId
+  = -- | A corner of the file: all cones of free space in its place.
+    AtCorner !CornerName !Point
   | -- | In the file's coordinates. It may be the place of a corner.
     AtPoint !Point
   deriving (Eq, Ord, Show)
 
 -- | The place of a viewpoint, in the file's coordinates.
-viewpointAt :: Scene -> Viewpoint -> Point
-viewpointAt scene (AtCorner c) = cornerPoint scene c
-viewpointAt _ (AtPoint point) = point
+viewpointAt :: Viewpoint -> Point
+viewpointAt (AtCorner _ point) = point
+viewpointAt (AtPoint point) = point
 
 -- | The rays from a point, counter-clockwise from one direction to another, that all end at one object.
 --
@@ -102,7 +103,8 @@ data Mark = Here !Point | Beyond !Direction !Direction
 -- /Shape/ the list of points begins after the first unbounded part if there is one, the first when turning from (1, 0)
 -- on; else with the least point.
 --
--- /Degenerate cases/ where some rays from the point are solid, it is on the boundary. Where only sky is seen there is
+-- /Degenerate cases/ where some rays from the point are solid, it is on the boundary; where they are in several parts, as
+-- where polygons touch, it is there several times. Where only sky is seen there is
 -- no point, and the one pair of directions is (1, 0), (1, 0). Where the sky fills a half plane, the one point is where
 -- one stands, though it is flat.
 --
@@ -113,8 +115,8 @@ region :: Scene -> Point -> [Sight] -> Region
 region scene eye sights = Region [p | Here p <- marks] [(from, to) | Beyond from to <- marks]
   where
     whole = joined sights
-    marks = begun (withoutFlat (withoutRepeats (concatMap limits whole <> standing)))
-    standing = [Here eye | (before, s) <- take 1 (zip (lastFirst whole) whole), sightTo before /= sightFrom s]
+    marks = begun (withoutFlat (withoutRepeats (concat (zipWith afterGap (lastFirst whole) whole))))
+    afterGap before s = [Here eye | sightTo before /= sightFrom s] <> limits s
     limits (Sight from to object) = case object of
       Sky -> [Beyond from to]
       Side s -> [Here (rayMeets scene eye from s), Here (rayMeets scene eye to s)]
@@ -167,10 +169,10 @@ rayMeets scene (Point x y) (Direction dx dy) side = Point (x + t * along) (y + t
 -- /Laws/ they add up to 1 where no ray in front of the element leads into the solid; never negative.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 2.2.
-elementFactors :: Direction -> [Sight] -> [(Object, RootSum)]
-elementFactors normal sights =
+elementFactors :: Scene -> Direction -> [Sight] -> [(Seen, RootSum)]
+elementFactors scene normal sights =
   [ (object, total)
-  | (object, added) <- Map.toAscList (Map.fromListWith RootSum.plus [(sightObject s, weight s) | s <- sights])
+  | (object, added) <- Map.toAscList (Map.fromListWith RootSum.plus [(seenAs scene (sightObject s), weight s) | s <- sights])
   , let total = RootSum.merged added
   , not (null (RootSum.terms total))
   ]

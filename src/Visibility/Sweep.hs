@@ -16,6 +16,8 @@ module Visibility.Sweep
   ( -- * Vertices
     Vertex (..)
   , vertexCorners
+  , vertexFirst
+  , vertexLast
   , vertexPairs
   , vertexDirection
   , isDegenerate

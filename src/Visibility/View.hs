@@ -17,6 +17,8 @@ module Visibility.View
     -- * Tangency at a vertex
   , isTangent
   , freeBitangents
+    -- * Pairs as the file calls them
+  , statedPairs
     -- * The stream of events
   , Event (..)
   , events
@@ -106,7 +108,6 @@ incidences scene c view = case view of
 -- end of a thin wall always.
 isTangent :: Scene -> CornerId -> CornerId -> Bool
 isTangent scene c towards
-  | isWallCorner scene c = True
   | onNext == Collinear && onPrevious == Collinear = True
   | onNext /= Collinear && onPrevious == opposite onNext = False
   | otherwise = turn points before i after /= RightTurn
@@ -123,12 +124,29 @@ isTangent scene c towards
 freeBitangents :: Scene -> Vertex -> [(CornerId, CornerId)]
 freeBitangents scene vertex =
   [ (p, q)
-  | (p, q) <- vertexPairs vertex
+  | (p, q) <- vertexPairs scene vertex
   , nextCorner scene p /= q
   , previousCorner scene p /= q
   , isTangent scene p q
   , isTangent scene q p
   ]
+
+-- | What the file calls an elementary pair: each stated corner in the place of the first with each in the place of the
+-- second, smaller name first. Of the two pairs along the two faces of one piece of a thin wall, one has all the names, the
+-- other none.
+--
+-- /Cost/ O(1) where nothing touches; of a side, O(k) for k corners in the places of its ends.
+statedPairs :: Scene -> (CornerId, CornerId) -> [(CornerName, CornerName)]
+statedPairs scene (p, q)
+  | isSecondFace = []
+  | otherwise = [(min a b, max a b) | a <- namesHere scene p, b <- namesHere scene q]
+  where
+    isSecondFace = or [(p', q') < (p, q) | joins p q, p' <- around p, q' <- besides p', samePlace scene q q', joins p' q']
+    joins a b = b `elem` besides a
+    besides c = [nextCorner scene c, previousCorner scene c]
+    around c = before c <> [c] <> after c
+    before (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c - 1, c - 2 .. 0])
+    after (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c + 1 .. cornerCount scene - 1])
 
 -- | A vertex with the views of its corners, in their order along the line, at the directions just before and just after
 -- it.

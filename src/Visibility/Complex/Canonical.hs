@@ -64,6 +64,6 @@ canonicalNumbering complex =
     -- At one vertex, faces are numbered from above downwards.
     faceOrder = sortBy (comparing place <> comparing labels) (faceIds complex)
     place f = maybe (length vertexOrder) rank (faceFirst complex f)
-    labels f = (objectOrder scene (faceBack complex f), objectOrder scene (faceFront complex f))
+    labels f = (seenAs scene (faceBack complex f), seenAs scene (faceFront complex f))
     faceRanks = ranks [f | FaceId f <- faceOrder]
     ranks order = U.replicate (length order) 0 U.// zip order [0 ..]

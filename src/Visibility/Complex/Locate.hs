@@ -71,8 +71,8 @@ data Eye = Eye !Integer !Integer !Integer !Int
 eyeRank :: Eye -> Int
 eyeRank (Eye _ _ _ k) = k
 
--- | A point in the file's coordinates, and the corner that is in the same place. /Cost/ O(log n).
-eyeAt :: Scene -> Point -> (Eye, Maybe CornerId)
+-- | A point in the file's coordinates, and the corners that are in the same place. /Cost/ O(log n).
+eyeAt :: Scene -> Point -> (Eye, [CornerId])
 eyeAt scene (Point x y) = (eye rank, here)
   where
     Point ox oy = fromLattice (sceneLattice scene) (Vector2 0 0)
@@ -91,7 +91,7 @@ eyeAt scene (Point x y) = (eye rank, here)
         middle = (low + high) `quot` 2
     -- Of a corner to the point.
     comparison k = let Vector2 cx cy = cornerAt scene (CornerId k) in compare (cx % 1, cy % 1) (px, py)
-    here = if rank < n && comparison rank == EQ then Just (CornerId rank) else Nothing
+    here = map CornerId (takeWhile (\k -> comparison k == EQ) [rank .. n - 1])
 
 -- | From a corner to the point: a vector of the right direction, (0, 0) where they are in one place.
 eyeFrom :: Scene -> Eye -> CornerId -> Direction
@@ -119,7 +119,8 @@ data Start
 
 -- | Where a point lies.
 data Place
-  = OnCorner !CornerId
+  = -- | All corners in its place.
+    OnCorners ![CornerId]
   | -- | In the interior of a side, or of both sides of a thin wall: those sides, each with the start of the piece of
     -- the point's curve on that side.
     OnSides ![(SideId, Start)]
@@ -134,7 +135,7 @@ data Place
 --
 -- /Cost/ O(log n) for n corners.
 locate :: Locator -> Point -> (Eye, Place)
-locate found point = (eye, maybe elsewhere OnCorner here)
+locate found point = (eye, if null here then elsewhere else OnCorners here)
   where
     (eye, here) = eyeAt scene point
     scene = complexScene (locatorComplex found)

@@ -50,7 +50,7 @@ module Visibility.Complex.Type
 
 import Data.Int (Int32)
 import Data.List (nub)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (listToMaybe, mapMaybe)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -156,7 +156,8 @@ vertexKinds :: Complex -> VertexId -> [Kind]
 vertexKinds complex v = zipWith kind line (Back : map (const Front) (drop 1 line))
   where
     scene = complexScene complex
-    vertex@(Vertex first _ _) = vertexAt complex v
+    vertex = vertexAt complex v
+    first = vertexFirst vertex
     line = vertexCorners vertex
     -- The line goes on past a corner unless it enters the solid there, which it can do at its ends only.
     kind c end
@@ -174,15 +175,20 @@ vertexKinds complex v = zipWith kind line (Back : map (const Front) (drop 1 line
 
 -- | What the maximal free segment of a vertex ends at backward, 'Nothing' where it ends at the first corner.
 vertexBack :: Complex -> VertexId -> Maybe Object
-vertexBack complex v = case vertexEdgesAfter complex v of
-  EdgeId e : _ -> objectOf (complexScene complex) (at (stretchBacks complex) e)
-  [] -> Nothing
+vertexBack complex v = beyondEnd complex stretchBacks (vertexEdgesAfter complex v)
 
 -- | What it ends at forward, 'Nothing' where it ends at the last corner.
 vertexFront :: Complex -> VertexId -> Maybe Object
-vertexFront complex v = case reverse (vertexEdgesAfter complex v) of
-  EdgeId e : _ -> objectOf (complexScene complex) (at (stretchFronts complex) e)
-  [] -> Nothing
+vertexFront complex v = beyondEnd complex stretchFronts (reverse (vertexEdgesAfter complex v))
+
+-- | What is seen from the first of some stretches, or from the other one in its place, where the line runs along both faces
+-- of a wall: it goes on along one of them at most.
+beyondEnd :: Complex -> (Complex -> U.Vector Int32) -> [EdgeId] -> Maybe Object
+beyondEnd complex table found = listToMaybe (mapMaybe object here)
+  where
+    here = [e | first <- take 1 found, e <- takeWhile (samePlace scene (edgeCorner complex first) . edgeCorner complex) found]
+    object (EdgeId e) = objectOf scene (at (table complex) e)
+    scene = complexScene complex
 
 -- | The incident edges in cyclic order, counter-clockwise in the dual (angle to the right, offset upwards), beginning
 -- with the lowest of those that begin here. Buried stretches are no edges.
@@ -252,9 +258,9 @@ edgeTo complex e = directionOf complex (edgeLast complex e)
 
 directionOf :: Complex -> VertexId -> Direction
 directionOf complex (VertexId v) =
-  direction (scenePoints (complexScene complex)) (at (stretchCorners complex) e) (at (stretchCorners complex) (e + 1))
+  direction (scenePoints (complexScene complex)) (cornerFrom v) (at (stretchCorners complex) (at (vertexStarts complex) (v + 1) - 1))
   where
-    e = at (vertexStarts complex) v
+    cornerFrom = at (stretchCorners complex) . at (vertexStarts complex)
 
 -- | Does the stretch go on over the end of the half turn? Its last part is then read backwards.
 wrapsAround :: Complex -> EdgeId -> Bool

@@ -41,9 +41,9 @@ data Look = Look
 -- takes to join the sights.
 lookAround :: Locator -> Viewpoint -> Either PolygonId Look
 lookAround found viewpoint = case viewpoint of
-  AtCorner c -> Right (fromCorner complex c)
+  AtCorner name _ -> Right (fromCorners complex (fromMaybe [] (cornersNamed scene name)))
   AtPoint point -> case locate found point of
-    (_, OnCorner c) -> Right (fromCorner complex c)
+    (_, OnCorners cs) -> Right (fromCorners complex cs)
     (_, InSolid polygon) -> Left polygon
     (eye, InFree start) -> Right (lookOf [turning (walk complex eye Nothing start)])
     (eye, OnSides pieces) -> Right (lookOf [pieceOf s (walk complex eye (Just s) start) | (s, start) <- pieces])
@@ -62,9 +62,15 @@ lookAround found viewpoint = case viewpoint of
         backs = [behind step | step@(Step _ _ _ front) <- steps, front == Side s]
     scene = complexScene complex
 
--- | The stretches of a corner in cyclic order hold its sights.
-fromCorner :: Complex -> CornerId -> Look
-fromCorner complex c = Look (joined (concatMap ahead around <> concatMap behind around)) (length around)
+-- | What is seen from all cones of free space in one place.
+fromCorners :: Complex -> [CornerId] -> Look
+fromCorners complex cs = Look (joined (concatMap fst parts)) (sum (map snd parts))
+  where
+    parts = map (fromCorner complex) cs
+
+-- | The stretches of a corner in cyclic order hold its sights; with the number of the stretches.
+fromCorner :: Complex -> CornerId -> ([Sight], Int)
+fromCorner complex c = (concatMap ahead around <> concatMap behind around, length around)
   where
     lastOne = lastEdgeOf complex c
     firstOne = edgeAfter complex lastOne

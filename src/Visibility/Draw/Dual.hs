@@ -130,7 +130,7 @@ dualDrawing scene stream =
       captionLines left (legendTop - legendHeight (right - left) entries - 15) (right - left) $
         facts <> missing <> map (shortened Caption (right - left)) origin
     facts =
-      [ counted (cornerCount scene) "corner" "corners"
+      [ counted (length (statedCorners scene)) "corner" "corners"
       , countedVertices (vertexCount counts) (degenerateCount counts)
       , counted (edgeCount counts) "edge" "edges"
       , counted (faceCount counts) "face" "faces"
@@ -257,14 +257,14 @@ eventPoints scene frame (Event vertex _ _) = case vertexDirection scene vertex o
   direction -> let theta = directionAngle direction in [(theta, u theta)]
   where
     u = heightAt frame first
-    Vertex first _ _ = vertex
+    first = vertexFirst vertex
 
 dotMarks :: Scene -> Frame -> Event -> [Mark]
 dotMarks scene frame event = [Mark name style (Dot (onCanvas frame at)) | at <- eventPoints scene frame event]
   where
     vertex = eventVertex event
     name = Text.unwords (map (Text.pack . cornerText . cornerName scene) (vertexCorners vertex))
-    style = if isDegenerate vertex then DegenerateVertexDot else VertexDot
+    style = if isDegenerate scene vertex then DegenerateVertexDot else VertexDot
 
 -- | The frame, ticks every 15°, at round values of u, and the line u = 0.
 axisMarks :: Frame -> [Mark]

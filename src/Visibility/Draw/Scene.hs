@@ -15,7 +15,7 @@ import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.View (freeBitangents)
+import Visibility.View
 
 -- | The scene drawn to scale, 800 pixels wide.
 --
@@ -70,8 +70,8 @@ sceneDrawing scene vertices =
         , clearance = 1.5
         }
     (labels, leaders, unlabelled)
-      | fewCorners scene = placeLabels scenery (map (cornerRequest scene place) (corners scene))
-      | otherwise = (mapMaybe (polygonLabel place (concatMap wideLines lights)) (scenePolygons scene), [], [])
+      | fewCorners scene = placeLabels scenery (cornerRequests scene place)
+      | otherwise = (mapMaybe (polygonLabel (placeOfPoint scene frame) (concatMap wideLines lights)) (scenePolygons scene), [], [])
 
     width = canvasWidth
     top = frameHeight frame + footHeight
@@ -88,7 +88,7 @@ sceneDrawing scene vertices =
     scaleBar = scaleMarks scene frame (Place (width - sideMargin) (legendTop - rowHeight / 2))
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"
-      , counted (cornerCount scene) "corner" "corners"
+      , counted (length (statedCorners scene)) "corner" "corners"
       , countedVertices vertexTotal degenerate
       , counted pairs "elementary visible pair" "elementary visible pairs"
       , counted (length bitangents) "free bitangent" "free bitangents"
@@ -96,6 +96,6 @@ sceneDrawing scene vertices =
         <> countedUnlabelled unlabelled
     Totals vertexTotal degenerate pairs = foldl' addVertex (Totals 0 0 0) vertices
     addVertex (Totals a b c) vertex =
-      Totals (a + 1) (if isDegenerate vertex then b + 1 else b) (c + length (vertexPairs vertex))
+      Totals (a + 1) (if isDegenerate scene vertex then b + 1 else b) (c + length (concatMap (statedPairs scene) (vertexPairs scene vertex)))
 
 data Totals = Totals !Int !Int !Int

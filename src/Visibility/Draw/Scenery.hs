@@ -27,7 +27,7 @@ module Visibility.Draw.Scenery
   , fewCorners
   , wideLines
   , dotBoxes
-  , cornerRequest
+  , cornerRequests
   , polygonLabel
     -- * The foot
   , scaleMarks
@@ -45,6 +45,7 @@ import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
+import qualified Visibility.Scene.Raw as Raw
 
 -- | Where the scene lies on the canvas.
 data Frame = Frame
@@ -84,7 +85,7 @@ frameFor :: Double -> Scene -> [Point] -> Frame
 frameFor foot scene further =
   Frame scale extent (left, bottom) (Place originX originY) outside foot (plotHeight + 2 * plotMargin)
   where
-    points = [(toRational x, toRational y) | c <- corners scene, let Vector2 x y = cornerAt scene c] <> others
+    points = map (latticePlace scene . snd) (statedCorners scene) <> others
     others = map (latticePlace scene) further
     left = minimum (0 : map fst others)
     bottom = minimum (0 : map snd others)
@@ -138,14 +139,14 @@ groundLayers scene frame =
   ]
   where
     enclosures =
-      [ map (placeOf scene frame) (polygonCorners polygon)
+      [ map (placeOfPoint scene frame) (polygonPoints polygon)
       | polygon <- scenePolygons scene
       , polygonId polygon == Enclosure
       ]
 
 -- | A mark for each polygon, named as in output.
 polygonMarks :: Scene -> Frame -> [Mark]
-polygonMarks scene frame = map (polygonMark (placeOf scene frame)) (scenePolygons scene)
+polygonMarks scene frame = map (polygonMark (placeOfPoint scene frame)) (scenePolygons scene)
 
 -- | The density of the layers of polygons and lights.
 polygonDensity :: Scene -> Density
@@ -153,16 +154,16 @@ polygonDensity = densityOf . cornerCount
 
 isSolid, isThin :: Polygon -> Bool
 isSolid = not . isThin
-isThin polygon = length (polygonCorners polygon) == 2
+isThin polygon = polygonForm polygon == Raw.Polyline
 
-polygonMark :: (CornerId -> Place) -> Polygon -> Mark
+polygonMark :: (Point -> Place) -> Polygon -> Mark
 polygonMark place polygon
   | polygonId polygon == Enclosure = Mark name RoomWall (Polyline (places <> take 1 places))
   | isThin polygon = Mark name ThinWall (Polyline places)
   | otherwise = Mark name Opaque (Region places)
   where
     name = Text.pack (polygonText (polygonId polygon))
-    places = map place (polygonCorners polygon)
+    places = map place (polygonPoints polygon)
 
 -- | The marks of all sides that give light, named by their sides: a band along the side and short rays from it into
 -- free space, which lies to the right of the side.
@@ -200,7 +201,11 @@ besideSide scene place side s out
     Place x1 y1 = place (sideEnd scene side)
     (dx, dy) = (x1 - x0, y1 - y0)
     long = sqrt (dx * dx + dy * dy)
-    beside = if isWallCorner scene (sideStart side) then 2.6 else 0
+    beside = if isFaceOfWall scene side then 2.6 else 0
+
+-- | Is the side a face of a thin wall?
+isFaceOfWall :: Scene -> SideId -> Bool
+isFaceOfWall scene side = or [isThin polygon | polygon <- scenePolygons scene, SideName p _ <- [sideName scene side], polygonId polygon == p]
 
 -- | Dots at flat corners of a scene whose corners are labelled: there a label would name a corner that no outline
 -- shows.
@@ -236,24 +241,31 @@ wideLines mark = map (Line (strokeWidth Sparse (markStyle mark) / 2)) (strokes m
 dotBoxes :: [Mark] -> [Box]
 dotBoxes marks = [widened (dotRadius Sparse style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
 
--- | A label that had best lie where the free angle of its corner is widest, opposite the solid.
-cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> Request
-cornerRequest scene place c = Request name CornerLabel name [Seat here outward pi]
+-- | A label for each place with corners, with all their names. It had best lie where the free angle is widest, opposite the
+-- solid.
+cornerRequests :: Scene -> (CornerId -> Place) -> [Request]
+cornerRequests scene place = [cornerRequest scene place c group | group@(c : _) <- placeGroups scene]
+
+cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> [CornerId] -> Request
+cornerRequest scene place c group = Request name CornerLabel name [Seat here outward pi]
   where
-    name = Text.pack (cornerText (cornerName scene c))
+    name = Text.pack (unwords (map cornerText (namesHere scene c)))
     here = place c
-    next = bearing (place (nextCorner scene c))
-    previous = bearing (place (previousCorner scene c))
-    -- Free space runs counter-clockwise from the preceding side to the following one.
-    outward = previous + positive (next - previous) / 2
+    outward = snd (maximum (map cone group))
+    -- Free space runs counter-clockwise from the preceding side to the following one: how wide, and its middle.
+    cone corner = (wide, previous + wide / 2)
+      where
+        next = bearing (place (nextCorner scene corner))
+        previous = bearing (place (previousCorner scene corner))
+        wide = positive (next - previous)
     positive a = if a <= 0 then a + 2 * pi else a
     bearing (Place x y) = let Place hx hy = here in atan2 (y - hy) (x - hx)
 
 -- | The number of an obstacle, and its name where there is room, inside it and on none of some lines.
-polygonLabel :: (CornerId -> Place) -> [Line] -> Polygon -> Maybe Mark
+polygonLabel :: (Point -> Place) -> [Line] -> Polygon -> Maybe Mark
 polygonLabel place bands polygon
   | polygonId polygon == Enclosure || isThin polygon = Nothing
-  | otherwise = labelInside bands number PolygonLabel texts (map place (polygonCorners polygon))
+  | otherwise = labelInside bands number PolygonLabel texts (map place (polygonPoints polygon))
   where
     number = Text.pack (polygonText (polygonId polygon))
     texts = [number <> " " <> name | Just name <- [polygonName polygon]] <> [number]

@@ -30,9 +30,9 @@ data ViewFigure
   = -- | A point, which may be a corner, and its visibility region.
     RegionFigure !Point !Region
   | -- | A differential element at a point with a normal, the sights all around the point, and the form factors.
-    ElementFigure !Point !Direction ![Sight] ![(Object, RootSum)]
+    ElementFigure !Point !Direction ![Sight] ![(Seen, RootSum)]
   | -- | A side and its form factors.
-    SideFigure !SideId ![(Object, RootSum)]
+    SideFigure !SideName ![(Seen, RootSum)]
 
 -- | The scene to scale, 800 pixels wide, with what is seen.
 --
@@ -91,16 +91,16 @@ viewDrawing scene figure =
         , clearance = 1.5
         }
     (labels, leaders, unlabelled) = case labelled of
-      PolygonLabels -> (mapMaybe (polygonLabel place underneath) (scenePolygons scene), [], [])
-      CornerLabels -> placeLabels obstruction (map (cornerRequest scene place) (corners scene))
+      PolygonLabels -> (mapMaybe (polygonLabel (placeOfPoint scene frame) underneath) (scenePolygons scene), [], [])
+      CornerLabels -> placeLabels obstruction (cornerRequests scene place)
       -- The caption has what finds no room.
       SideLabels ->
         let (found, thin, _) = placeLabels obstruction (sideRequests scene frame figure) in (found, thin, [])
 
-    facts = factsOf scene figure <> countedUnlabelled unlabelled
+    facts = factsOf figure <> countedUnlabelled unlabelled
     height = frameHeight frame + foot + 40
     -- How much room the foot takes must be known before there are labels.
-    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (factsOf scene figure <> doubtful)) + 9)
+    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (factsOf figure <> doubtful)) + 9)
     doubtful = if labelled == CornerLabels then countedUnlabelled (corners scene) else []
     captionRows = length . captionLines 0 0 captionWidth . map (shortened Caption captionWidth)
     legendRows = legendHeight legendWidth entries
@@ -159,11 +159,15 @@ sideMarks scene frame figure = case figure of
   RegionFigure _ _ -> []
   ElementFigure {} -> [mark SeenSide side (band side from to) | (side, from, to) <- seenPieces scene figure]
   SideFigure from factors ->
-    [mark SeenSide side (band side 0 1) | (Side side, _) <- sortOn fst factors]
-      <> [mark SeeingSide from (band from 0 1)]
+    [mark SeenSide piece (band piece 0 1) | (TheSide side, _) <- factors, piece <- piecesNamed scene side]
+      <> [mark SeeingSide piece (band piece 0 1) | piece <- piecesNamed scene from]
   where
     mark style side = Mark (Text.pack (sideText (sideName scene side))) style
     band side from to = Polyline [besideSide scene (placeOf scene frame) side s 0 | s <- [from, to]]
+
+-- | All uncovered pieces of a side of the file.
+piecesNamed :: Scene -> SideName -> [SideId]
+piecesNamed scene = fromMaybe [] . piecesOf scene
 
 -- | The seen pieces of sides, between two positions on each, 0 at its start and 1 at its end.
 seenPieces :: Scene -> ViewFigure -> [(SideId, Double, Double)]
@@ -193,7 +197,7 @@ viewpointMarks scene frame figure = arrow <> map dot (viewpointOf figure)
   where
     place = placeOfPoint scene frame
     dot q = Mark (maybe Text.empty cornerAsText (cornerHere scene q)) ViewpointDot (Dot (place q))
-    cornerAsText = Text.pack . cornerText . cornerName scene
+    cornerAsText = Text.pack . cornerText
     arrow = case figure of
       ElementFigure q normal _ _ -> arrowMarks (place q) (directionAngle normal) 4 30
       _ -> []
@@ -205,44 +209,45 @@ arrowMarks (Place x y) angle near far =
   where
     at ahead aside = Place (x + ahead * cos angle - aside * sin angle) (y + ahead * sin angle + aside * cos angle)
 
--- | The corner at a point.
-cornerHere :: Scene -> Point -> Maybe CornerId
-cornerHere scene q = find ((== q) . cornerPoint scene) (corners scene)
+-- | The corner of the file at a point, the first one if there are several.
+cornerHere :: Scene -> Point -> Maybe CornerName
+cornerHere scene q = fst <$> find ((== q) . snd) (statedCorners scene)
 
 -- | The sides that are seen most, each with its form factor, and the side that sees.
 sideRequests :: Scene -> Frame -> ViewFigure -> [Request]
 sideRequests scene frame figure =
-  [Request name SideLabel name (seats side [(0, 1)]) | SideFigure side _ <- [figure], let name = sideAsText side]
-    <> [ Request (sideAsText side) SideLabel (sideAsText side <> ": " <> factorText value) (seats side (piecesOf side))
-       | (Side side, value) <- take labelledFactors (greatestFirst (factorsOf figure))
+  [Request name SideLabel name (seats (whole side)) | SideFigure side _ <- [figure], let name = sideAsText side]
+    <> [ Request (sideAsText side) SideLabel (sideAsText side <> ": " <> factorText value) (seats (parts side))
+       | (TheSide side, value) <- take labelledFactors (greatestFirst (factorsOf figure))
        ]
   where
-    sideAsText = Text.pack . sideText . sideName scene
-    piecesOf side = case figure of
-      ElementFigure {} -> [(a, b) | (seen, a, b) <- seenPieces scene figure, seen == side]
-      _ -> [(0, 1)]
-    seats side pieces =
-      [ Seat (besideSide scene place side (a + k * (b - a)) 0) outward pi
+    sideAsText = Text.pack . sideText
+    whole side = [(piece, 0, 1) | piece <- piecesNamed scene side]
+    parts side = case figure of
+      ElementFigure {} -> [part | part@(piece, _, _) <- seenPieces scene figure, sideName scene piece == side]
+      _ -> whole side
+    seats found =
+      [ Seat (besideSide scene place piece (a + k * (b - a)) 0) (outward piece) pi
       | k <- [1 / 2, 1 / 3, 2 / 3, 1 / 6, 5 / 6]
-      , (a, b) <- pieces
+      , (piece, a, b) <- found
       ]
+    place = placeOf scene frame
+    outward piece = atan2 (x0 - x1) (y1 - y0)
       where
-        place = placeOf scene frame
-        (Place x0 y0, Place x1 y1) = (place (sideStart side), place (sideEnd scene side))
-        outward = atan2 (x0 - x1) (y1 - y0)
+        (Place x0 y0, Place x1 y1) = (place (sideStart piece), place (sideEnd scene piece))
 
 -- | How many form factors the caption states, and how many the labels.
 captionedFactors, labelledFactors :: Int
 captionedFactors = 6
 labelledFactors = 12
 
-factorsOf :: ViewFigure -> [(Object, RootSum)]
+factorsOf :: ViewFigure -> [(Seen, RootSum)]
 factorsOf figure = case figure of
   RegionFigure _ _ -> []
   ElementFigure _ _ _ factors -> factors
   SideFigure _ factors -> factors
 
-greatestFirst :: [(Object, RootSum)] -> [(Object, RootSum)]
+greatestFirst :: [(Seen, RootSum)] -> [(Seen, RootSum)]
 greatestFirst = sortOn (\(object, value) -> (Down value, object))
 
 -- | Three digits are enough for a figure.
@@ -253,12 +258,12 @@ titleOf :: Scene -> ViewFigure -> Text
 titleOf scene figure = case figure of
   RegionFigure q _ -> "Seen from " <> maybe "a point: " (\c -> "corner " <> named c <> ": ") (cornerHere scene q)
   ElementFigure {} -> "Seen from an element: "
-  SideFigure side _ -> "Seen from side " <> Text.pack (sideText (sideName scene side)) <> ": "
+  SideFigure side _ -> "Seen from side " <> Text.pack (sideText side) <> ": "
   where
-    named = Text.pack . cornerText . cornerName scene
+    named = Text.pack . cornerText
 
-factsOf :: Scene -> ViewFigure -> [Text]
-factsOf scene figure = case figure of
+factsOf :: ViewFigure -> [Text]
+factsOf figure = case figure of
   RegionFigure q (Region points unbounded) ->
     [ "seen from " <> pointText q
     , "a region of " <> counted (length points) "corner" "corners"
@@ -272,12 +277,12 @@ factsOf scene figure = case figure of
   where
     pointText (Point x y) = "(" <> Text.pack (rationalText x) <> ", " <> Text.pack (rationalText y) <> ")"
     factors = greatestFirst (factorsOf figure)
-    named = [counted k "side" "sides" | let k = length [() | (Side _, _) <- factors], k > 0]
-    sky = ["the sky" | any ((== Sky) . fst) factors]
+    named = [counted k "side" "sides" | let k = length [() | (TheSide _, _) <- factors], k > 0]
+    sky = ["the sky" | any ((== TheSky) . fst) factors]
     nothing = ["nothing" | null factors]
     seen = ("sees " <> Text.intercalate " and " (named <> sky <> nothing)) : introduced <> rest
     introduced = zipWith (<>) ("form factors " : repeat "") stated
-    stated = [Text.pack (objectText scene object) <> ": " <> factorText value | (object, value) <- largest]
+    stated = [Text.pack (seenText object) <> ": " <> factorText value | (object, value) <- largest]
     rest = [Text.pack ("and " <> show (length smaller) <> " smaller") | not (null smaller)]
     (largest, smaller) = splitAt captionedFactors factors
 
@@ -290,10 +295,10 @@ entriesOf scene figure =
       RegionFigure _ _ -> [viewpoint]
       ElementFigure {} -> [seenSide | seesSide] <> [viewpoint, Entry arrowSwatch "normal"]
       SideFigure side _ ->
-        Entry (lineSwatch [SeeingSide]) ("side " <> Text.pack (sideText (sideName scene side))) : [seenSide | seesSide]
+        Entry (lineSwatch [SeeingSide]) ("side " <> Text.pack (sideText side)) : [seenSide | seesSide]
   where
     boundaries = boundariesOf scene figure
     viewpoint = Entry (dotSwatch ViewpointDot) "viewpoint"
     seenSide = Entry (lineSwatch [SeenSide]) "seen side"
     arrowSwatch (Box l b r t) = arrowMarks (Place l ((b + t) / 2)) 0 0 (r - l)
-    seesSide = or [True | (Side _, _) <- factorsOf figure]
+    seesSide = or [True | (TheSide _, _) <- factorsOf figure]

@@ -22,10 +22,12 @@ data SceneError
     ZeroArea !PolygonId
   | -- | An angle of 0° or 360°.
     Spike !CornerName !Point
-  | -- | Corners of two polygons in one place.
-    CornerOnCorner !CornerName !CornerName !Point
-  | -- | A corner on a side, not at its ends, of the same polygon or of another one.
+  | -- | A corner on a side of the same polygon, not at its ends.
     CornerOnSide !CornerName !SideName !Point
+  | -- | Two polygons whose boundaries meet and of which one reaches into the solid of the other one.
+    OverlappingPolygons !PolygonId !PolygonId
+  | -- | Two thin walls, or two pieces of one, that lie along each other.
+    OverlappingWalls !PolygonId !PolygonId
   | -- | Two sides of one polygon or of two that cross in a point that is no corner.
     CrossingSides !SideName !SideName
   | -- | The first lies inside the second; their boundaries do not meet.
@@ -50,8 +52,9 @@ sceneErrorPlace problem = case problem of
   RepeatedCorner c _ _ -> corner c
   ZeroArea p -> Just (p, Nothing)
   Spike c _ -> corner c
-  CornerOnCorner c _ _ -> corner c
   CornerOnSide c _ _ -> corner c
+  OverlappingPolygons p _ -> Just (p, Nothing)
+  OverlappingWalls p _ -> Just (p, Nothing)
   CrossingSides s _ -> side s
   NestedPolygon p _ -> Just (p, Nothing)
   OutsideEnclosure p -> Just (p, Nothing)
@@ -80,13 +83,17 @@ sceneErrorText problem = case problem of
   Spike c at ->
     corner c <> ": is the tip of a spike at " <> point at <> ", where the polygon turns back along its own side"
       <> "; move the corner or leave it out"
-  CornerOnCorner c d at ->
-    corner c <> ": touches " <> otherCorner d <> " at " <> point at <> "; " <> gap
-  CornerOnSide c@(CornerName p _) s@(SideName q k) at
-    | p == q ->
-        corner c <> ": lies on side " <> show k <> " of the same polygon, at " <> point at
-          <> "; a polygon may not touch itself, move one of them"
-    | otherwise -> corner c <> ": touches " <> otherSide s <> " at " <> point at <> "; " <> gap
+  CornerOnSide c (SideName _ k) at ->
+    corner c <> ": lies on side " <> show k <> " of the same polygon, at " <> point at
+      <> "; a polygon may not touch itself, move one of them"
+  OverlappingPolygons p q
+    | q == Enclosure -> polygon p <> ": reaches out of the enclosure; it may touch the enclosure, keep all of it inside"
+    | otherwise -> polygon p <> ": overlaps " <> polygon q <> "; polygons may touch, move them apart until they only do"
+  OverlappingWalls p q
+    | p == q -> polygon p <> ": runs along itself; end the thin wall where it meets itself, or leave out the repeated part"
+    | otherwise ->
+        polygon p <> ": runs along " <> polygon q <> ", and two thin walls in one place leave open which is in front"
+          <> "; let one of them end where it meets the other"
   CrossingSides s@(SideName p _) t@(SideName q k)
     | p == q ->
         side s <> ": crosses side " <> show k <> " of the same polygon"
@@ -104,12 +111,10 @@ sceneErrorText problem = case problem of
   BadReflectivity place x ->
     material place <> ": reflectivity is " <> numberText x <> "; give 0 or more, and less than 1"
   where
-    gap = "contacts are not supported yet, leave a gap"
     polygon (Obstacle k) = "polygon " <> show k
     polygon Enclosure = "enclosure"
     corner (CornerName p k) = polygon p <> ", corner " <> show k
     side (SideName p k) = polygon p <> ", side " <> show k
-    otherCorner (CornerName p k) = "corner " <> show k <> " of " <> the p
     otherSide (SideName p k) = "side " <> show k <> " of " <> the p
     the Enclosure = "the enclosure"
     the p = polygon p

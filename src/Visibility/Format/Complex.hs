@@ -8,7 +8,6 @@ module Visibility.Format.Complex
 import Data.Aeson.Encoding (Encoding, int, list, null_, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, char7)
-import Data.List (sortOn)
 import Visibility.Complex.Canonical
 import Visibility.Complex.Type
 import Visibility.Exact.Point (Point (..))
@@ -36,14 +35,13 @@ complexDocument complex = Aeson.fromEncoding document <> char7 '\n'
     document =
       pairs $
         pair "format" (string "viscomplex/1")
-          <> pair "corners" (list corner (sortOn (cornerName scene) (corners scene)))
+          <> pair "corners" (list corner (statedCorners scene))
           <> pair "vertices" (list (vertexEntry complex) (orderedVertices numbering))
           <> pair "edges" (list (edgeEntry complex numbering) (orderedEdges numbering))
           <> pair "faces" (list (faceEntry complex numbering) (orderedFaces numbering))
           <> pair "buried" (list (buriedEntry complex numbering) (orderedBuried numbering))
-    corner c =
-      let Point x y = cornerPoint scene c
-       in pairs (pair "id" (string (nameOf scene c)) <> pair "at" (list (string . rationalText) [x, y]))
+    corner (name, Point x y) =
+      pairs (pair "id" (string (cornerText name)) <> pair "at" (list (string . rationalText) [x, y]))
 
 nameOf :: Scene -> CornerId -> String
 nameOf scene = cornerText . cornerName scene
@@ -54,11 +52,11 @@ vertexEntry complex v =
     pair "corners" (list (string . nameOf scene) line)
       <> pair "kinds" (list (string . kindText) (vertexKinds complex v))
       <> pair "direction" (list (string . show) [dx, dy])
-      <> pair "back" (string (end (vertexBack complex v) first))
+      <> pair "back" (string (end (vertexBack complex v) (vertexFirst vertex)))
       <> pair "front" (string (end (vertexFront complex v) (vertexLast vertex)))
   where
     scene = complexScene complex
-    vertex@(Vertex first _ _) = vertexAt complex v
+    vertex = vertexAt complex v
     line = vertexCorners vertex
     Direction dx dy = primitive (vertexDirection scene vertex)
     end object c = maybe (nameOf scene c) (objectText scene) object

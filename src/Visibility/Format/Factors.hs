@@ -11,7 +11,6 @@ module Visibility.Format.Factors
 import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, char7, string7)
-import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
@@ -32,29 +31,32 @@ data Detail = DecimalsOnly | WithExactMeasures
 --
 -- /Shape/ CSV: header @from,to,value@, with exact measures also @measure@, Σ coefficient·√radicand = 2·L·F as
 -- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.
+--
+-- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is not,
+-- exactly, and so has the text: the factors of the side add up to that.
 factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
 factorsDocument format detail wanted scene factors = case format of
-  FactorsCsv -> csv detail wanted scene factors
+  FactorsCsv -> csv detail wanted factors
   FactorsJson -> Aeson.fromEncoding (json detail wanted scene factors) <> char7 '\n'
   FactorsText -> plain detail wanted scene factors
 
-fromText, toText :: Scene -> FormFactor -> String
-fromText scene = objectText scene . Side . factorFrom
-toText scene = objectText scene . factorTo
+fromText, toText :: FormFactor -> String
+fromText = sideText . factorFrom
+toText = seenText . factorTo
 
 valueText :: Digits -> FormFactor -> String
 valueText wanted = decimal wanted . factorValue
 
-csv :: Detail -> Digits -> Scene -> [FormFactor] -> Builder
-csv detail wanted scene factors = string7 header <> foldMap row factors
+csv :: Detail -> Digits -> [FormFactor] -> Builder
+csv detail wanted factors = string7 header <> foldMap row factors
   where
     header = case detail of
       DecimalsOnly -> "from,to,value\n"
       WithExactMeasures -> "from,to,value,measure\n"
     row factor =
-      string7 (fromText scene factor)
+      string7 (fromText factor)
         <> char7 ','
-        <> string7 (toText scene factor)
+        <> string7 (toText factor)
         <> char7 ','
         <> string7 (valueText wanted factor)
         <> exact factor
@@ -67,22 +69,27 @@ json :: Detail -> Digits -> Scene -> [FormFactor] -> Encoding
 json detail wanted scene factors =
   pairs $
     pair "format" (string "viscomplex/1")
-      <> pair "sides" (list side (sortOn (sideName scene) (sides scene)))
+      <> pair "sides" (list side (statedSides scene))
       <> pair "factors" (list entry factors)
   where
     side s =
       pairs $
-        pair "id" (string (sideText (sideName scene s)))
+        pair "id" (string (sideText s))
           <> pair "length" (string (decimal wanted (sideLength scene s)))
+          <> mconcat [pair "uncovered" (string (rationalText part)) | part <- covering scene s]
     entry factor =
       pairs $
-        pair "from" (string (fromText scene factor))
-          <> pair "to" (string (toText scene factor))
+        pair "from" (string (fromText factor))
+          <> pair "to" (string (toText factor))
           <> pair "value" (string (valueText wanted factor))
           <> exact factor
     exact factor = case detail of
       DecimalsOnly -> mempty
       WithExactMeasures -> pair "measure" (exactTerms (factorMeasure factor))
+
+-- | The part of a side that is not covered, where that is not all of it.
+covering :: Scene -> SideName -> [Rational]
+covering scene s = [part | let part = uncovered scene s, part /= 1]
 
 -- | The terms of a sum of roots as a JSON list of @[coefficient, radicand]@.
 exactTerms :: RootSum -> Encoding
@@ -91,15 +98,16 @@ exactTerms = list term . RootSum.terms
     term (c, n) = list string [rationalText c, show n]
 
 plain :: Detail -> Digits -> Scene -> [FormFactor] -> Builder
-plain detail wanted scene factors = foldMap block (sortOn (sideName scene) (sides scene))
+plain detail wanted scene factors = foldMap block (statedSides scene)
   where
     bySide = Map.fromListWith (flip (<>)) [(factorFrom factor, [factor]) | factor <- factors]
     block s =
-      string7 ("side " <> sideText (sideName scene s) <> ", length " <> decimal wanted (sideLength scene s))
+      string7 ("side " <> sideText s <> ", length " <> decimal wanted (sideLength scene s))
+        <> foldMap (\part -> string7 (", " <> rationalText part <> " of it uncovered")) (covering scene s)
         <> string7 ", sees\n"
         <> foldMap row (Map.findWithDefault [] s bySide)
     row factor =
-      string7 ("  " <> padded (toText scene factor) <> valueText wanted factor) <> exact factor <> char7 '\n'
+      string7 ("  " <> padded (toText factor) <> valueText wanted factor) <> exact factor <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
     exact factor = case detail of
       DecimalsOnly -> mempty

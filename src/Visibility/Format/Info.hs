@@ -19,7 +19,8 @@ infoText scene scheduler counts seconds =
     | (name, value) <-
         [("scene", Text.unpack title) | Just title <- [sceneTitle scene]]
           <> [ ("polygons", show (length (scenePolygons scene)))
-             , ("corners", show (cornerCount scene))
+             , ("corners", show (length (statedCorners scene)))
+             , ("contacts", show (sceneContacts scene))
              , ("vertices", show (vertexCount counts))
              , ("degenerate vertices", show (degenerateCount counts))
              , ("bitangents", show (bitangentCount counts))

@@ -11,7 +11,6 @@ import Data.Aeson (Key)
 import Data.Aeson.Encoding (Encoding, Series, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, char7)
-import Data.List (sortOn)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
@@ -28,10 +27,10 @@ import Visibility.Sight
 -- interval in which the sky is seen, counter-clockwise. All numbers are exact, as strings.
 --
 -- /Degenerate cases/ @unbounded@ is empty in a room; a full turn is @[["1","0"],["1","0"]]@, with an empty @polygon@.
-regionDocument :: Scene -> Viewpoint -> Region -> Builder
-regionDocument scene viewpoint seen =
+regionDocument :: Viewpoint -> Region -> Builder
+regionDocument viewpoint seen =
   document $
-    standing scene viewpoint
+    standing viewpoint
       <> pair "polygon" (list point (regionPoints seen))
       <> pair "unbounded" (list vector (concat [[from, to] | (from, to) <- regionUnbounded seen]))
 
@@ -40,44 +39,44 @@ regionDocument scene viewpoint seen =
 -- /Shape/ @from@, for a corner also @corner@; @normal@; @sees@, an entry for each object whose factor is not exactly
 -- zero: sides by name, the sky last. @value@ is a decimal, correctly rounded to so many digits; with exact measures
 -- there is also @exact@, the factor as Σ coefficient·√radicand.
-elementDocument :: Detail -> Digits -> Scene -> Viewpoint -> Direction -> [(Object, RootSum)] -> Builder
-elementDocument detail wanted scene viewpoint normal factors =
+elementDocument :: Detail -> Digits -> Viewpoint -> Direction -> [(Seen, RootSum)] -> Builder
+elementDocument detail wanted viewpoint normal factors =
   document $
-    standing scene viewpoint
+    standing viewpoint
       <> pair "normal" (vector normal)
-      <> pair "sees" (list entry (sortOn (objectOrder scene . fst) (filter (notZero . snd) merged)))
+      <> pair "sees" (list entry (filter (notZero . snd) merged))
   where
     merged = [(object, RootSum.merged value) | (object, value) <- factors]
-    entry (object, value) = seenEntry wanted scene object value (exactly detail "exact" value)
+    entry (object, value) = seenEntry wanted object value (exactly detail "exact" value)
 
 -- | The form factors of a side.
 --
 -- /Shape/ @side@; @sees@ as in 'elementDocument', with exact measures @measure@, Σ coefficient·√radicand = 2·L·F.
 --
--- /Requires/ the factors of this side; those of other sides are left out.
-sideDocument :: Detail -> Digits -> Scene -> SideId -> [FormFactor] -> Builder
-sideDocument detail wanted scene side factors =
+-- /Requires/ the factors of this side, in the order of what is seen; those of other sides are left out.
+sideDocument :: Detail -> Digits -> SideName -> [FormFactor] -> Builder
+sideDocument detail wanted side factors =
   document $
-    pair "side" (string (sideText (sideName scene side)))
-      <> pair "sees" (list entry (sortOn (objectOrder scene . factorTo) own))
+    pair "side" (string (sideText side))
+      <> pair "sees" (list entry own)
   where
     own = [factor | factor <- factors, factorFrom factor == side, notZero (factorValue factor)]
     entry factor =
-      seenEntry wanted scene (factorTo factor) (factorValue factor) $
+      seenEntry wanted (factorTo factor) (factorValue factor) $
         exactly detail "measure" (factorMeasure factor)
 
-standing :: Scene -> Viewpoint -> Series
-standing scene viewpoint =
-  pair "from" (point (viewpointAt scene viewpoint))
-    <> mconcat [pair "corner" (string (cornerText (cornerName scene c))) | AtCorner c <- [viewpoint]]
+standing :: Viewpoint -> Series
+standing viewpoint =
+  pair "from" (point (viewpointAt viewpoint))
+    <> mconcat [pair "corner" (string (cornerText name)) | AtCorner name _ <- [viewpoint]]
 
 document :: Series -> Builder
 document parts = Aeson.fromEncoding (pairs (pair "format" (string "viscomplex/1") <> parts)) <> char7 '\n'
 
-seenEntry :: Digits -> Scene -> Object -> RootSum -> Series -> Encoding
-seenEntry wanted scene object value exact =
+seenEntry :: Digits -> Seen -> RootSum -> Series -> Encoding
+seenEntry wanted object value exact =
   pairs $
-    pair "id" (string (objectText scene object)) <> pair "value" (string (decimal wanted value)) <> exact
+    pair "id" (string (seenText object)) <> pair "value" (string (decimal wanted value)) <> exact
 
 exactly :: Detail -> Key -> RootSum -> Series
 exactly detail key value = case detail of

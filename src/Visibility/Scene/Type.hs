@@ -4,7 +4,7 @@ module Visibility.Scene.Type
   ( -- * The scene
     Scene
   , Surroundings (..)
-  , ValidPolygon (..)
+  , StatedPolygon (..)
   , assemble
   , sceneTitle
   , surroundings
@@ -15,40 +15,58 @@ module Visibility.Scene.Type
     -- * Polygons
   , Polygon (..)
   , scenePolygons
+  , sceneContacts
+  , statedCorners
     -- * Corners
   , cornerCount
   , corners
-  , cornerName
-  , cornerNamed
   , cornerAt
   , cornerPoint
   , nextCorner
   , previousCorner
   , neighbourTable
-  , isWallCorner
+  , samePlace
+  , placeNumbers
+  , placeGroups
+  , isWallEnd
+  , isSplitEnd
+  , hasSplitEnds
+    -- ** Their names
+  , cornerName
+  , namesHere
+  , cornersNamed
+  , statedPoint
     -- * Sides
   , sides
-  , sideName
-  , sideNamed
   , sideStart
   , sideEnd
   , sideMaterial
+    -- ** Their names
+  , sideName
+  , statedSides
+  , piecesOf
+  , sideSpan
+  , uncovered
+  , seenAs
   , objectText
-  , objectOrder
   ) where
 
 import Data.Char (isControl)
 import Data.Int (Int32)
-import Data.List (sortOn)
+import Data.List (groupBy, sortOn)
+import Data.Function (on)
 import qualified Data.Map.Strict as Map
+import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
+import Visibility.Law (broken)
+import Visibility.Scene.Boundary (FreeCorner (..))
 import Visibility.Scene.Id
-import Visibility.Scene.Raw (Material)
+import Visibility.Scene.Raw (Form (..), Material)
 
 -- | What lies beyond all polygons.
 data Surroundings
@@ -58,8 +76,8 @@ data Surroundings
     Room
   deriving (Eq, Ord, Show)
 
--- | A scene whose polygons are simple and pairwise disjoint, and lie inside the enclosure if there is one.
--- Everything is indexed by 'CornerId', the rank in lexicographic order.
+-- | A scene whose polygons are simple and do not overlap, and lie inside the enclosure if there is one; they may touch.
+-- Everything is indexed by 'CornerId'.
 data Scene = Scene
   { sceneTitle :: !(Maybe Text)
   -- ^ The name that the file gives, fit to be shown: control characters are replaced by U+FFFD, here as in names of
@@ -71,99 +89,111 @@ data Scene = Scene
   -- ^ Lattice coordinates of the corners, by 'CornerId'.
   , neighbourTable :: !(U.Vector Int32)
   -- ^ 'nextCorner' and 'previousCorner' of corner i at 2i and 2i+1: close together, as the sweep asks for both.
+  , placeNumbers :: !(U.Vector Int32)
+  -- ^ By corner, the number of its place in lexicographic order.
+  , splitEnds :: !(U.Vector Bool)
+  -- ^ By corner: see 'isSplitEnd'. Empty if there are none.
   , cornerNames :: !(V.Vector CornerName)
   , sideNames :: !(V.Vector SideName)
-  , materials :: !(V.Vector Material)
-  , cornersByName :: !(Map.Map CornerName CornerId)
+  , cornersByName :: !(Map.Map CornerName [CornerId])
+  , namesByPlace :: !(V.Vector [CornerName])
+  , piecesByName :: !(Map.Map SideName [SideId])
+  , sceneContacts :: !Int
+  -- ^ How many places there are where stated corners touch other corners or sides.
+  , statedByName :: !(Map.Map SideName (Vector2, Material))
+  -- ^ Every side of the file, covered or not: the way along it on the lattice, and its material.
   , scenePolygons :: ![Polygon]
   -- ^ In the file's order, the enclosure last.
   }
 
--- | A polygon of a scene, its corners so that the solid lies on the left of each side (an obstacle counter-clockwise,
--- the enclosure clockwise), beginning with the file's corner 0. Two corners: a thin wall.
+-- | A polygon of a scene as the file states it: its corners in the file's order.
 data Polygon = Polygon
   { polygonId :: !PolygonId
   , polygonName :: !(Maybe Text)
-  , polygonCorners :: ![CornerId]
+  , polygonForm :: !Form
+  , polygonPoints :: ![Point]
   }
   deriving (Eq, Show)
 
 -- | A polygon that has passed every check: its corners in the file's order, and the material of each of the file's
 -- sides.
-data ValidPolygon = ValidPolygon
-  { validId :: !PolygonId
-  , validName :: !(Maybe Text)
-  , validCorners :: ![Point]
-  , validMaterials :: ![Material]
+data StatedPolygon = StatedPolygon
+  { statedId :: !PolygonId
+  , statedTitle :: !(Maybe Text)
+  , statedForm :: !Form
+  , statedPoints :: ![Point]
+  , statedMaterials :: ![Material]
   }
 
--- | Puts checked polygons into tables.
+-- | Puts checked polygons and the boundary of free space between them into tables.
 --
--- /Requires/ what "Visibility.Scene.Validate" checks: at least one polygon, each with two or more distinct corners,
--- simple, without spikes, all disjoint. /Cost/ O(n log n).
-assemble :: Maybe Text -> [ValidPolygon] -> Scene
-assemble title polygons =
+-- /Requires/ what "Visibility.Scene.Validate" checks; the corners of the boundary give places as indices of the stated
+-- corners of all polygons, in order. The number is that of the places of contact. /Cost/ O(n log n).
+assemble :: Maybe Text -> Int -> [StatedPolygon] -> [FreeCorner] -> Scene
+assemble title touching polygons boundary =
   Scene
     { sceneTitle = shown <$> title
-    , surroundings = if any ((== Enclosure) . validId) polygons then Room else OpenSky
+    , surroundings = if any ((== Enclosure) . statedId) polygons then Room else OpenSky
     , sceneLattice = lattice
     , sceneArithmetic = Filtered
     , scenePoints = points
-    , neighbourTable = U.replicate (2 * n) 0 U.// concatMap (beside . map raw . polygonCorners) placed
-    , cornerNames = V.fromList [name | (_, name) <- ordered]
-    , sideNames = V.replicate n (SideName Enclosure 0) V.// [(c, name) | (c, name, _) <- faces]
-    , materials = V.fromList [m | (_, _, m) <- sortOn (\(c, _, _) -> c) faces]
-    , cornersByName = ranks
-    , scenePolygons = placed
+    , neighbourTable = neighbours
+    , placeNumbers = places
+    , splitEnds = if U.or split then split else U.empty
+    , cornerNames = V.map freeName free
+    , sideNames = V.map freeSide free
+    , cornersByName = Map.fromList [(name, here) | (at, names) <- Map.toList namesAt, let here = cornersAt at, name <- names]
+    , namesByPlace = V.fromList [names | group <- byPlace, (at, _) : _ <- [group], let names = Map.findWithDefault [] at namesAt]
+    , piecesByName =
+        Map.fromListWith (flip (<>)) [(freeSide f, [SideId i]) | (i, f) <- zip [0 ..] (V.toList free)]
+    , sceneContacts = touching
+    , statedByName = Map.fromList (concatMap sidesOf polygons)
+    , scenePolygons =
+        [Polygon (statedId p) (shown <$> statedTitle p) (statedForm p) (statedPoints p) | p <- polygons]
     }
   where
-    lattice = latticeFor (concatMap validCorners polygons)
-    ordered =
-      sortOn
-        id
-        [ (ontoLattice lattice point, CornerName (validId polygon) k)
+    lattice = latticeFor (concatMap statedPoints polygons)
+    stated =
+      V.fromList
+        [ (ontoLattice lattice point, CornerName (statedId polygon) k)
         | polygon <- polygons
-        , (k, point) <- zip [0 ..] (validCorners polygon)
+        , (k, point) <- zip [0 ..] (statedPoints polygon)
         ]
-    n = length ordered
-    points = pointsOn Filtered (map fst ordered)
-    ranks = Map.fromList [(name, CornerId i) | (i, (_, name)) <- zip [0 ..] ordered]
-    oriented = [(polygon, solidLeft polygon) | polygon <- polygons]
-    placed =
-      [ Polygon (validId polygon) (shown <$> validName polygon) [c | (c, _, _) <- loop]
-      | (polygon, loop) <- oriented
+    placeOf f = fst (stated V.! freePlace f)
+    -- The order of corners: by place, and in one place by names.
+    ordered = sortOn (\(_, f) -> (placeOf f, freeName f, freeSide f)) (zip [0 ..] boundary)
+    free = V.fromList (map snd ordered)
+    n = V.length free
+    ranks = U.replicate n 0 U.// zip (map fst ordered) [0 ..] :: U.Vector Int
+    points = pointsOn Filtered (map (placeOf . snd) ordered)
+    following = U.fromList [ranks U.! freeNext f | f <- V.toList free]
+    neighbours =
+      U.replicate (2 * n) 0
+        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] (U.toList following)]
+    byPlace = groupBy ((==) `on` fst) (zip (map (placeOf . snd) ordered) (map CornerId [0 ..]))
+    places = U.fromList (concat (zipWith (\k group -> map (const k) group) [0 ..] byPlace))
+    cornersByPlace = Map.fromList [(at, map snd group) | group@((at, _) : _) <- byPlace]
+    cornersAt at = Map.findWithDefault [] at cornersByPlace
+    namesAt = Map.fromListWith (flip (<>)) [(at, [name]) | (at, name) <- V.toList stated]
+    split = U.generate n isSplit
+    isSplit i = before /= after && turn points i before after == Collinear && (before > i) == (after > i)
+      where
+        after = fromIntegral (neighbours U.! (2 * i))
+        before = fromIntegral (neighbours U.! (2 * i + 1))
+    sidesOf polygon =
+      [ (SideName (statedId polygon) k, (difference (along V.! i) (along V.! j), material))
+      | (k, (i, j), material) <- zip3 [0 ..] (sideEnds (statedForm polygon) (V.length along)) (statedMaterials polygon)
       ]
-    faces = [(c, name, material) | (_, loop) <- oriented, (CornerId c, name, material) <- loop]
-    beside loop =
-      concat
-        [ [(2 * c, fromIntegral after), (2 * c + 1, fromIntegral before)]
-        | (before, c, after) <- zip3 (rotated (-1) loop) loop (rotated 1 loop)
-        ]
-    raw (CornerId c) = c
+      where
+        along = V.fromList (map (ontoLattice lattice) (statedPoints polygon))
     shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
-    -- The corners of a polygon with the solid on their left, each with the name and material of the side it starts.
-    solidLeft polygon
-      | length loop > 2, orientation (map fst loop) /= wanted = backwardLoop
-      | otherwise = [(c, SideName p k, m) | ((c, k), m) <- zip loop (validMaterials polygon)]
-      where
-        p = validId polygon
-        loop =
-          [ (ranks Map.! CornerName p k, k)
-          | k <- [0 .. length (validCorners polygon) - 1]
-          ]
-        wanted = if p == Enclosure then RightTurn else LeftTurn
-        -- Backwards from corner 0: the side that starts at file corner k is then file side k − 1.
-        backwardLoop =
-          let backwards = take 1 loop <> reverse (drop 1 loop)
-              sidesBack = reverse (zip [0 ..] (validMaterials polygon))
-           in [(c, SideName p k, m) | ((c, _), (k, m)) <- zip backwards sidesBack]
-
-    -- The turn at the lexicographically least corner, which is convex and not flat in a simple polygon.
-    orientation loop = case [(b, a, c) | (a, b, c) <- zip3 (rotated (-1) loop) loop (rotated 1 loop)] of
-      [] -> Collinear
-      turns -> let (CornerId b, CornerId a, CornerId c) = minimum turns in turn points a b c
-    rotated k loop = take (length loop) (drop (k `mod` length loop) (cycle loop))
+-- | The corners that the sides of a polygon of so many corners join, by the numbers of the sides.
+sideEnds :: Form -> Int -> [(Int, Int)]
+sideEnds Ring n = zip [0 .. n - 1] ([1 .. n - 1] <> [0])
+sideEnds Polyline n = forth <> map (\(i, j) -> (j, i)) (reverse forth)
+  where
+    forth = zip [0 .. n - 2] [1 ..]
 
 -- | The same scene, its signs decided in another way.
 underArithmetic :: Arithmetic -> Scene -> Scene
@@ -178,14 +208,6 @@ cornerCount = V.length . cornerNames
 corners :: Scene -> [CornerId]
 corners scene = map CornerId [0 .. cornerCount scene - 1]
 
--- | What the file calls this corner.
-cornerName :: Scene -> CornerId -> CornerName
-cornerName scene (CornerId c) = cornerNames scene V.! c
-
--- | The corner that the file calls so.
-cornerNamed :: Scene -> CornerName -> Maybe CornerId
-cornerNamed scene name = Map.lookup name (cornersByName scene)
-
 -- | A corner on the lattice.
 cornerAt :: Scene -> CornerId -> Vector2
 cornerAt scene (CornerId c) = pointAt (scenePoints scene) c
@@ -194,32 +216,74 @@ cornerAt scene (CornerId c) = pointAt (scenePoints scene) c
 cornerPoint :: Scene -> CornerId -> Point
 cornerPoint scene = fromLattice (sceneLattice scene) . cornerAt scene
 
--- | The following corner of the same polygon, the solid being on the left on the way to it.
+-- | The following corner of the same walk, the solid being on the left on the way to it.
 nextCorner :: Scene -> CornerId -> CornerId
 nextCorner scene (CornerId c) = CornerId (fromIntegral (neighbourTable scene U.! (2 * c)))
 {-# INLINE nextCorner #-}
 
--- | The preceding corner of the same polygon. For an end of a thin wall it is the same as the following one.
+-- | The preceding corner of the same walk. For an end of a thin wall that stands alone it is the same as the following
+-- one.
 previousCorner :: Scene -> CornerId -> CornerId
 previousCorner scene (CornerId c) = CornerId (fromIntegral (neighbourTable scene U.! (2 * c + 1)))
 {-# INLINE previousCorner #-}
 
--- | Is this an end of a thin wall?
-isWallCorner :: Scene -> CornerId -> Bool
-isWallCorner scene c = nextCorner scene c == previousCorner scene c
-{-# INLINE isWallCorner #-}
+-- | Are two corners in one place, though in different cones of free space there?
+samePlace :: Scene -> CornerId -> CornerId -> Bool
+samePlace scene (CornerId c) (CornerId d) = placeNumbers scene U.! c == placeNumbers scene U.! d
+{-# INLINE samePlace #-}
 
--- | All sides, by their starting corners.
+-- | All corners, those of one place together.
+placeGroups :: Scene -> [[CornerId]]
+placeGroups scene = groupBy (samePlace scene) (corners scene)
+
+-- | Is free space all around this corner, so that both of its sides are the faces of one piece of a thin wall?
+isWallEnd :: Scene -> CornerId -> Bool
+isWallEnd scene c = nextCorner scene c == previousCorner scene c || isSplitEnd scene c
+{-# INLINE isWallEnd #-}
+
+-- | Is this a free end of a thin wall whose faces lead to two different corners, because something touches the wall, or
+-- because it has a corner there?
+isSplitEnd :: Scene -> CornerId -> Bool
+isSplitEnd scene (CornerId c) = not (U.null (splitEnds scene)) && splitEnds scene U.! c
+{-# INLINE isSplitEnd #-}
+
+-- | Is there any such end?
+hasSplitEnds :: Scene -> Bool
+hasSplitEnds = not . U.null . splitEnds
+{-# INLINE hasSplitEnds #-}
+
+-- | What the file calls this corner: of the stated corners in its place, the first that belongs to a polygon on one of its
+-- flanks. Different corners in one place may have one name.
+cornerName :: Scene -> CornerId -> CornerName
+cornerName scene (CornerId c) = cornerNames scene V.! c
+
+-- | All corners of the file in the place of this one, in order.
+namesHere :: Scene -> CornerId -> [CornerName]
+namesHere scene (CornerId c) = namesByPlace scene V.! fromIntegral (placeNumbers scene U.! c)
+
+-- | The corners of free space in the place of a corner of the file: one for each cone, none where it is all covered;
+-- 'Nothing' if the file has no such corner.
+cornersNamed :: Scene -> CornerName -> Maybe [CornerId]
+cornersNamed scene name = Map.lookup name (cornersByName scene)
+
+-- | All corners of the file, polygon by polygon.
+statedCorners :: Scene -> [(CornerName, Point)]
+statedCorners scene =
+  [ (CornerName (polygonId polygon) k, point)
+  | polygon <- scenePolygons scene
+  , (k, point) <- zip [0 ..] (polygonPoints polygon)
+  ]
+
+-- | Where a corner of the file is.
+statedPoint :: Scene -> CornerName -> Maybe Point
+statedPoint scene (CornerName p k) =
+  case [drop k (polygonPoints polygon) | k >= 0, polygon <- scenePolygons scene, polygonId polygon == p] of
+    (point : _) : _ -> Just point
+    _ -> Nothing
+
+-- | All sides and uncovered pieces of sides, by their starting corners.
 sides :: Scene -> [SideId]
 sides scene = map SideId [0 .. cornerCount scene - 1]
-
--- | What the file calls this side.
-sideName :: Scene -> SideId -> SideName
-sideName scene (SideId s) = sideNames scene V.! s
-
--- | The side that the file calls so. /Cost/ O(n).
-sideNamed :: Scene -> SideName -> Maybe SideId
-sideNamed scene name = SideId <$> V.elemIndex name (sideNames scene)
 
 -- | Where a side starts when the solid is kept on its left.
 sideStart :: SideId -> CornerId
@@ -231,14 +295,45 @@ sideEnd scene = nextCorner scene . sideStart
 
 -- | The material of a side, overrides applied.
 sideMaterial :: Scene -> SideId -> Material
-sideMaterial scene (SideId s) = materials scene V.! s
+sideMaterial scene s = snd (statedSide scene (sideName scene s))
+
+statedSide :: Scene -> SideName -> (Vector2, Material)
+statedSide scene name = case Map.lookup name (statedByName scene) of
+  Just found -> found
+  Nothing -> broken "a side has the name of one of the file" (sideText name)
+
+-- | What the file calls this side, or the one that it is a piece of.
+sideName :: Scene -> SideId -> SideName
+sideName scene (SideId s) = sideNames scene V.! s
+
+-- | All sides of the file, by name, those that are all covered too.
+statedSides :: Scene -> [SideName]
+statedSides = Map.keys . statedByName
+
+-- | What is not covered of a side of the file: the side itself, or pieces of it, or nothing; 'Nothing' if the file has no
+-- such side.
+piecesOf :: Scene -> SideName -> Maybe [SideId]
+piecesOf scene name
+  | name `Map.member` statedByName scene = Just (Map.findWithDefault [] name (piecesByName scene))
+  | otherwise = Nothing
+
+-- | The way along a side of the file on the lattice, whole, whatever covers it. /Requires/ the name of a side.
+sideSpan :: Scene -> SideName -> Vector2
+sideSpan scene = fst . statedSide scene
+
+-- | The part of a side that nothing covers, from 0 to 1. /Requires/ the name of a side.
+uncovered :: Scene -> SideName -> Rational
+uncovered scene name = sum [along (pieceSpan s) % along whole | s <- Map.findWithDefault [] name (piecesByName scene)]
+  where
+    whole@(Vector2 dx _) = sideSpan scene name
+    along (Vector2 x y) = abs (if dx == 0 then y else x)
+    pieceSpan s = difference (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
+
+-- | What the file calls an object.
+seenAs :: Scene -> Object -> Seen
+seenAs scene (Side s) = TheSide (sideName scene s)
+seenAs _ Sky = TheSky
 
 -- | @3.0@, @E.2@ or @sky@.
 objectText :: Scene -> Object -> String
-objectText scene (Side s) = sideText (sideName scene s)
-objectText _ Sky = "sky"
-
--- | What to sort objects by: sides by their names, the sky last.
-objectOrder :: Scene -> Object -> (Int, Maybe SideName)
-objectOrder scene (Side s) = (0, Just (sideName scene s))
-objectOrder _ Sky = (1, Nothing)
+objectText scene = seenText . seenAs scene

@@ -11,256 +11,183 @@ import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Error (MaterialPlace (..), SceneError (..), sceneErrorPlace)
-import Visibility.Exact.Point (Point, latticeFor, ontoLattice)
 import Visibility.Exact.Predicate (Turn (Collinear), turn)
+import Visibility.Scene.Boundary
 import Visibility.Scene.Boxes
 import Visibility.Scene.Contact
 import Visibility.Scene.Disjoint
 import Visibility.Scene.Id
+import Visibility.Scene.Outline
 import Visibility.Scene.Raw
-import Visibility.Scene.Type
+import Visibility.Scene.Type (Scene, StatedPolygon (..), assemble)
 
 -- | The scene, or everything that is wrong with it: sorted by polygon and then by corner or side, nothing twice.
 --
--- Reported once: a contact of two corners, or of a corner and a side, though up to four pairs of sides meet there.
--- Sides that overlap are reported as the contacts of their ends. A thin wall has its two sides in one place, and
--- contacts name side 0. What follows from something else is left out: contacts at a spike between the sides that make
--- it, contacts of a polygon of no area with itself, and whether polygons whose boundaries meet are nested. A polygon of
--- too few corners is looked at no further. Of a boundary that crosses itself, the inside is where a ray crosses it an
--- odd number of times.
+-- Polygons may touch, in corners and along sides, but not overlap; so may thin walls, and a thin wall may touch itself,
+-- but no two pieces of walls may lie along each other. Reported once: an overlap of two polygons, in however many places.
+-- A thin wall has its two faces in one place, and crossings name that on the right of the way along it. What follows
+-- from something else is left out: contacts at a spike between the sides that make it, contacts of a polygon of no area
+-- with itself, overlaps of polygons that cross each other, and whether polygons whose boundaries meet are nested. A
+-- polygon of too few corners is looked at no further; overlaps are not looked for while a polygon has something wrong
+-- with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of times.
 --
--- /Cost/ of a valid scene O(n log² n) for its boundaries, however they lie, and for each pair of polygons of which one
--- has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at worst. Of an invalid
--- scene besides O(1) for each pair of sides whose boxes overlap.
+-- /Cost/ of a valid scene without contacts O(n log² n) for its boundaries, however they lie, and for each pair of polygons
+-- of which one has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at worst. Of
+-- others besides O(1) for each pair of sides whose boxes overlap, and what 'overlaps' takes.
 --
 -- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has
 -- the corners, sides and materials that the file gives, under the file's names.
 validate :: RawScene -> Either (NonEmpty SceneError) Scene
-validate raw = case ordered (statementErrors shapes <> geometryErrors shapes) of
-  _ | null shapes -> Left (EmptyScene :| [])
-  e : es -> Left (e :| es)
-  [] -> Right (assemble (rawName raw) (map valid shapes))
+validate raw
+  | null shapes = Left (EmptyScene :| [])
+  | otherwise = case ordered (statementErrors shapes <> geometryErrors o found) of
+      e : es -> Left (e :| es)
+      [] -> Right (assemble (rawName raw) (contactTotal o found) (map stated shapes) (freeCorners o found))
   where
     shapes = zip (map Obstacle [0 ..]) (rawPolygons raw) <> [(Enclosure, room) | Just room <- [rawEnclosure raw]]
+    o = outline [shape | shape@(_, polygon) <- shapes, length (rawCorners polygon) >= fewestCorners shape]
+    found = contactsIn o
     ordered = sortOn (\e -> (sceneErrorPlace e, e)) . Set.toList . Set.fromList
 
-type Shape = (PolygonId, RawPolygon)
-
-valid :: Shape -> ValidPolygon
-valid (p, polygon) =
-  ValidPolygon p (rawPolygonName polygon) points [side k | k <- [0 .. length points - 1]]
+stated :: Shape -> StatedPolygon
+stated shape@(p, polygon) =
+  StatedPolygon
+    { statedId = p
+    , statedTitle = rawPolygonName polygon
+    , statedForm = formOf shape
+    , statedPoints = rawCorners polygon
+    , statedMaterials = [side k | k <- [0 .. sideTotalOf shape - 1]]
+    }
   where
-    points = rawCorners polygon
     side k = maybe material overridden (Map.lookup k (rawSides polygon))
     material = rawMaterial polygon
     overridden (MaterialOverride e r) = Material (fromMaybe (emission material) e) (fromMaybe (reflectivity material) r)
+
+sideTotalOf :: Shape -> Int
+sideTotalOf shape@(_, polygon) = sideTotal polygon {rawForm = formOf shape}
 
 -- Numbers of corners, side numbers, materials.
 statementErrors :: [Shape] -> [SceneError]
 statementErrors shapes = concat [few shape <> sideNumbers shape <> materials shape | shape <- shapes]
   where
-    few (p, polygon) = [TooFewCorners p n | let n = length (rawCorners polygon), n < fewest p]
-    sideNumbers (p, polygon) =
+    few shape@(p, polygon) = [TooFewCorners p n | let n = length (rawCorners polygon), n < fewestCorners shape]
+    sideNumbers shape@(p, polygon) =
       [ NoSuchSide (SideName p k) n
-      | let n = length (rawCorners polygon)
+      | let n = sideTotalOf shape
       , k <- Map.keys (rawSides polygon)
       , k < 0 || k >= n
       ]
     materials (p, polygon) =
-      stated (OfPolygon p) (Just (emission whole)) (Just (reflectivity whole))
-        <> concat [stated (OfSide (SideName p k)) e r | (k, MaterialOverride e r) <- Map.toList (rawSides polygon)]
+      material' (OfPolygon p) (Just (emission whole)) (Just (reflectivity whole))
+        <> concat [material' (OfSide (SideName p k)) e r | (k, MaterialOverride e r) <- Map.toList (rawSides polygon)]
       where
         whole = rawMaterial polygon
-    stated place e r =
+    material' place e r =
       [BadEmission place x | Just x <- [e], x < 0] <> [BadReflectivity place x | Just x <- [r], x < 0 || x >= 1]
 
--- So many corners at least.
-fewest :: PolygonId -> Int
-fewest Enclosure = 3
-fewest (Obstacle _) = 2
-
--- | The corners of all polygons that have enough of them, by one index, in the file's order.
-data Outline = Outline
-  { outlineIds :: !(V.Vector PolygonId)
-  , outlineFirst :: !(U.Vector Int)
-  -- ^ By polygon: the index of its corner 0; then the number of corners.
-  , outlineOwner :: !(U.Vector Int)
-  -- ^ By corner: the place of its polygon in 'outlineIds'.
-  , outlinePoints :: !(V.Vector Point)
-  , outlineRanked :: !Ranked
-  }
-
-outline :: [Shape] -> Outline
-outline shapes =
-  Outline
-    { outlineIds = V.fromList (map fst shapes)
-    , outlineFirst = U.fromList (scanl (+) 0 sizes)
-    , outlineOwner = U.fromList (concat (zipWith replicate sizes [0 ..]))
-    , outlinePoints = V.fromList points
-    , outlineRanked = ranked (map (ontoLattice (latticeFor points)) points)
-    }
+-- | Where boundaries meet. The sweep tells scenes without contacts at a cost that nothing can raise; only if it finds
+-- something, all is looked for.
+contactsIn :: Outline -> [Contact]
+contactsIn o
+  | Set.null flat, Disjoint <- boundaries (outlineRanked o) segments = []
+  | otherwise = contacts o flat
   where
-    points = concatMap (rawCorners . snd) shapes
-    sizes = map (length . rawCorners . snd) shapes
+    flat = withoutArea o
+    segments = map (segmentFrom o) (concatMap (segmentStarts o) (polygonIndices o))
 
--- The indices of a polygon's corners.
-cornersOf :: Outline -> Int -> [Int]
-cornersOf o p = [outlineFirst o U.! p .. outlineFirst o U.! (p + 1) - 1]
-
--- Corner k steps on around the same polygon.
-around :: Outline -> Int -> Int -> Int
-around o k i = first + (i - first + k) `mod` (outlineFirst o U.! (p + 1) - first)
+geometryErrors :: Outline -> [Contact] -> [SceneError]
+geometryErrors o found = inThemselves <> crossings <> overlapping <> positionErrors o flat met
   where
-    p = outlineOwner o U.! i
-    first = outlineFirst o U.! p
+    flat = withoutArea o
+    inThemselves = concatMap (alone o flat) (polygonIndices o) <> [e | c <- found, Just e <- [ownContact o c]]
+    crossings = [CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t)) | Cross s t <- found]
+    crossed = Set.fromList [pairOf (owner s) (owner t) | Cross s t <- found]
+    overlapping
+      | null inThemselves = [e | clash <- Set.toList (overlaps o found), Just e <- [overlapError clash]]
+      | otherwise = []
+    overlapError (SolidsOverlap p q)
+      | (p, q) `Set.member` crossed = Nothing
+      | otherwise = Just (OverlappingPolygons (name p) (name q))
+    overlapError (WallsOverlap p q) = Just (OverlappingWalls (name p) (name q))
+    met = Set.fromList [pairOf p q | c <- found, let (p, q) = contactPolygons c, p /= q]
+    contactPolygons contact = case contact of
+      AtCorners i j -> (owner i, owner j)
+      OnSegment i s -> (owner i, owner s)
+      Cross s t -> (owner s, owner t)
+    pairOf p q = (min p q, max p q)
+    owner = (outlineOwner o U.!)
+    name = (outlineIds o V.!)
 
--- The segments of a polygon, by the corners that start them. The two sides of a thin wall are one.
-segmentStarts :: Outline -> Int -> [Int]
-segmentStarts o p = case cornersOf o p of
-  [a, _] -> [a]
-  more -> more
+-- A ring may not touch itself.
+ownContact :: Outline -> Contact -> Maybe SceneError
+ownContact o contact = case contact of
+  OnSegment i s
+    | outlineOwner o U.! i == p, Ring <- outlineForms o V.! p ->
+        Just (CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoints o V.! i))
+    where
+      p = outlineOwner o U.! s
+  _ -> Nothing
 
-segmentFrom :: Outline -> Int -> Segment
-segmentFrom o i = Segment i (around o 1 i)
-
-cornerNameOf :: Outline -> Int -> CornerName
-cornerNameOf o i = CornerName (outlineIds o V.! p) (i - outlineFirst o U.! p)
-  where
-    p = outlineOwner o U.! i
-
-sideNameOf :: Outline -> Int -> SideName
-sideNameOf o i = let CornerName p k = cornerNameOf o i in SideName p k
-
-geometryErrors :: [Shape] -> [SceneError]
-geometryErrors shapes = inThemselves <> map (contactError o) contacts <> positionErrors o flat met
-  where
-    o = outline [shape | shape@(p, polygon) <- shapes, length (rawCorners polygon) >= fewest p]
-    polygons = [0 .. V.length (outlineIds o) - 1]
-    flat = V.fromList (map (areaOf o) polygons)
-    inThemselves = concatMap (alone o flat) polygons
-    -- The sweep tells valid scenes at a cost that nothing can raise. Only if it finds something, all is looked for.
-    contacts
-      | null inThemselves, Disjoint <- boundaries (outlineRanked o) segments = []
-      | otherwise = contactsOf o flat
-    segments = map (segmentFrom o) (concatMap (segmentStarts o) polygons)
-    met = Set.fromList [(min p q, max p q) | c <- contacts, let (p, q) = contactPolygons o c, p /= q]
-
-data Area = NoArea | SomeArea
-  deriving (Eq)
-
--- No area: three or more corners, all on one line.
-areaOf :: Outline -> Int -> Area
-areaOf o p = case cornersOf o p of
-  [_, _] -> SomeArea
-  a : rest
-    | b : others <- dropWhile (samePlace r a) rest
-    , any ((/= Collinear) . turn (rankedPoints r) a b) others ->
-        SomeArea
-  _ -> NoArea
+-- | The rings that have all corners on one line.
+withoutArea :: Outline -> Set.Set Int
+withoutArea o = Set.fromList [p | p <- polygonIndices o, Ring <- [outlineForms o V.! p], not (hasArea p)]
   where
     r = outlineRanked o
+    hasArea p = case cornersOf o p of
+      a : rest
+        | b : others <- dropWhile (samePlace r a) rest -> any ((/= Collinear) . turn (rankedPoints r) a b) others
+      _ -> False
 
 -- What a polygon has wrong at its own corners.
-alone :: Outline -> V.Vector Area -> Int -> [SceneError]
-alone o flat p = [ZeroArea (outlineIds o V.! p) | flat V.! p == NoArea] <> repeats <> spikes
+alone :: Outline -> Set.Set Int -> Int -> [SceneError]
+alone o flat p = [ZeroArea (outlineIds o V.! p) | p `Set.member` flat] <> repeats <> spikes
   where
     r = outlineRanked o
-    place i = (column r U.! i, row r U.! i)
+    place = placeOf o
     firsts = Map.fromListWith min [(place i, i) | i <- cornersOf o p]
-    repeats =
-      [ RepeatedCorner (cornerNameOf o i) (j - outlineFirst o U.! p) (outlinePoints o V.! i)
-      | i <- cornersOf o p
-      , Just j <- [Map.lookup (place i) firsts]
-      , j /= i
+    -- A thin wall may come back to where it has been, but a piece of it needs a length.
+    repeats = case outlineForms o V.! p of
+      Ring -> [repeated i j | i <- cornersOf o p, Just j <- [Map.lookup (place i) firsts], j /= i]
+      Polyline -> [repeated i (i - 1) | i <- drop 1 (cornersOf o p), samePlace r i (i - 1)]
+    repeated i j = RepeatedCorner (cornerNameOf o i) (j - outlineFirst o U.! p) (outlinePoints o V.! i)
+    spikes =
+      [ Spike (cornerNameOf o i) (outlinePoints o V.! i)
+      | p `Set.notMember` flat
+      , i <- inner
+      , let before = around o (-1) i
+            after = around o 1 i
+      , turn (rankedPoints r) before i after == Collinear
+      , not (samePlace r before i)
+      , not (samePlace r i after)
+      , (place before < place i) == (place after < place i)
       ]
-    spikes = case cornersOf o p of
-      [_, _] -> []
-      is ->
-        [ Spike (cornerNameOf o i) (outlinePoints o V.! i)
-        | flat V.! p == SomeArea
-        , i <- is
-        , let before = around o (-1) i
-              after = around o 1 i
-        , turn (rankedPoints r) before i after == Collinear
-        , not (samePlace r before i)
-        , not (samePlace r i after)
-        , (place before < place i) == (place after < place i)
-        ]
-
--- | A meeting of boundaries, by the indices of corners and of the corners that start segments.
-data Contact = AtCorners !Int !Int | OnSegment !Int !Int | Cross !Int !Int
-
-contactPolygons :: Outline -> Contact -> (Int, Int)
-contactPolygons o contact = case contact of
-  AtCorners i j -> (owner i, owner j)
-  OnSegment i s -> (owner i, owner s)
-  Cross s t -> (owner s, owner t)
-  where
-    owner = (outlineOwner o U.!)
-
-contactError :: Outline -> Contact -> SceneError
-contactError o contact = case contact of
-  AtCorners i j -> CornerOnCorner (cornerNameOf o (min i j)) (cornerNameOf o (max i j)) (outlinePoints o V.! i)
-  OnSegment i s -> CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoints o V.! i)
-  Cross s t -> CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t))
-
--- All contacts, some of them several times.
-contactsOf :: Outline -> V.Vector Area -> [Contact]
-contactsOf o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmentFrom o) starts))
-  where
-    r = outlineRanked o
-    starts = concatMap (segmentStarts o) [0 .. V.length (outlineIds o) - 1]
-    table = U.fromList starts
-    ends = U.map (around o 1) table
-    collect found i j
-      | p /= q = case meeting r (Segment s s') (Segment t t') of
-          Apart -> found
-          Crossing -> Cross s t : found
-          Touching touches -> map (touch s t) touches <> found
-      | flat V.! p == NoArea = found
-      | otherwise = case meeting r (Segment s s') (Segment t t') of
-          Apart -> found
-          Crossing -> Cross s t : found
-          Touching touches -> filter isOwn (map (touch s t) touches) <> found
-      where
-        s = table U.! i
-        s' = ends U.! i
-        t = table U.! j
-        t' = ends U.! j
-        p = outlineOwner o U.! s
-        q = outlineOwner o U.! t
-    touch _ _ (Ends a b) = AtCorners a b
-    touch _ t (FirstOnSecond a) = OnSegment a t
-    touch s _ (SecondOnFirst b) = OnSegment b s
-    -- Corners of one polygon in one place are the end of one side and the start of the next, or repeated corners. A
-    -- corner on a side next but one comes from a spike between.
-    isOwn (OnSegment i s) = i /= around o (-1) s && i /= around o 2 s
-    isOwn (AtCorners _ _) = False
-    isOwn (Cross _ _) = True
+    inner = case outlineForms o V.! p of
+      Ring -> cornersOf o p
+      Polyline -> drop 1 (segmentStarts o p)
 
 -- Nested polygons, and polygons outside of the enclosure. Where boundaries do not meet, one corner speaks for all.
-positionErrors :: Outline -> V.Vector Area -> Set.Set (Int, Int) -> [SceneError]
+positionErrors :: Outline -> Set.Set Int -> Set.Set (Int, Int) -> [SceneError]
 positionErrors o flat met =
   [ NestedPolygon (name p) (name q)
   | p <- obstacles
   , q <- foldBoxes (`boxContains` (boxes V.! p)) (flip (:)) [] tree
   , q /= p
   , name q /= Enclosure
-  , length (cornersOf o q) > 2
+  , Ring <- [outlineForms o V.! q]
   , not (meet p q)
   , isInside p q
   ]
     <> [ OutsideEnclosure (name p)
        | room <- polygons
        , name room == Enclosure
-       , flat V.! room == SomeArea
+       , room `Set.notMember` flat
        , p <- obstacles
        , not (meet p room)
        , not (isInside p room)
        ]
   where
     r = outlineRanked o
-    polygons = [0 .. V.length (outlineIds o) - 1]
+    polygons = polygonIndices o
     obstacles = filter ((/= Enclosure) . name) polygons
     name = (outlineIds o V.!)
     meet p q = (min p q, max p q) `Set.member` met

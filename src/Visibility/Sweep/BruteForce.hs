@@ -6,7 +6,10 @@ module Visibility.Sweep.BruteForce
   , isElementary
   ) where
 
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
+import qualified Data.Set as Set
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene
@@ -14,35 +17,54 @@ import Visibility.Sweep.Vertex
 
 -- | All vertices, ordered by their corners.
 --
+-- /Degenerate cases/ pairs on one line that have a corner in common are on one vertex: so the two faces of a piece of a
+-- wall are where they lead to the same free end.
+--
 -- /Cost/ O(n³).
 bruteForce :: Scene -> [Vertex]
-bruteForce scene =
-  [ Vertex p q (continuation p q)
-  | (p, q) <- pairs
-  , null [o | (o, p') <- pairs, p' == p, collinear o p q]
-  ]
+bruteForce scene = sort (mapMaybe fromCorners (lines' (Set.fromList pairs)))
   where
     pairs = [(p, q) | p <- corners scene, q <- corners scene, p < q, isElementary scene p q]
-    onward = Map.fromListWith (<>) [(p, [q]) | (p, q) <- pairs]
-    collinear = turned Collinear scene
-    -- The elementary pairs that go on along the line beyond q.
-    continuation p q = case [r | r <- Map.findWithDefault [] q onward, collinear p q r] of
-      r : _ -> r : continuation q r
-      [] -> []
+    atCorner = Map.fromListWith (<>) [(c, [(p, q)]) | (p, q) <- pairs, c <- [p, q]]
+    lines' left = case Set.minView left of
+      Nothing -> []
+      Just (pair, others) ->
+        let line = connected [pair] (Set.singleton pair)
+         in Set.toAscList (Set.fromList (concat [[p, q] | (p, q) <- Set.toList line])) : lines' (others Set.\\ line)
+    -- All pairs on the line of those found that hang together with them.
+    connected [] found = found
+    connected ((p, q) : rest) found = connected (more <> rest) (Set.union found (Set.fromList more))
+      where
+        more =
+          [ pair
+          | c <- [p, q]
+          , pair@(a, b) <- Map.findWithDefault [] c atCorner
+          , turned Collinear scene p q a && turned Collinear scene p q b
+          , pair `Set.notMember` found
+          ]
 
 -- | Is the open segment from p to q, p to the left of q, in free space, without a corner on it, and across no thin
--- wall?
+-- wall? Two corners in one place are no pair. A segment along a side joins the two corners of that side only: it runs
+-- along one face.
 --
 -- /Cost/ O(n).
 isElementary :: Scene -> CornerId -> CornerId -> Bool
 isElementary scene p q =
-  isFree p q && isFree q p && not (any blocksAsCorner (corners scene)) && not (any blocksAsSide (sides scene))
+  cornerAt scene p /= cornerAt scene q
+    && isFree p q
+    && isFree q p
+    && alongSides
+    && not (any blocksAsCorner (corners scene))
+    && not (any blocksAsSide (sides scene))
   where
-    -- Does the ray from a towards b start in free space? It may run along a side.
-    isFree a b
-      | isWallCorner scene a = True
-      | otherwise = not (insideWedge scene a b)
-    blocksAsCorner r = r /= p && r /= q && p < r && r < q && turned Collinear scene p q r
+    -- Does the ray from a towards b start in the cone of a? It may run along a side.
+    isFree a b = isWallEnd scene a || not (insideWedge scene a b)
+    alongSides = faces p q && faces q p
+    faces a b = null (ahead a b) || b `elem` ahead a b
+    -- The corners that sides of a towards b lead to.
+    ahead a b = [r | r <- [nextCorner scene a, previousCorner scene a], (a < r) == (a < b), turned Collinear scene a b r]
+    blocksAsCorner r = between r && turned Collinear scene p q r
+    between r = p < r && r < q && cornerAt scene r `notElem` [cornerAt scene p, cornerAt scene q]
     blocksAsSide s = separated p q a b && separated a b p q
       where
         a = sideStart s

@@ -89,8 +89,10 @@ plant scene heading vertical = runST $ do
   forM_ (Map.toList incoming) $ \(l, children) -> do
     let ascending a b = case turnIn f (listOwner l) (nodeSource f a) (nodeSource f b) of
           LeftTurn -> LT
-          Collinear -> EQ
+          Collinear -> compare (lowerFace l a) (lowerFace l b)
           RightTurn -> GT
+        -- Of the two faces of one piece of a wall, the upper one comes first.
+        lowerFace list node = following f (nodeSource f node) == listOwner list
         ordered = if isCornerList l then sortBy ascending children else children
     forM_ (zip (noNode : ordered) ordered) (uncurry (insertAfter tree l))
   forM_ (along heading n) (relink f tree)
@@ -120,28 +122,27 @@ plant scene heading vertical = runST $ do
       | following f p == preceding f p = [following f p]
       | otherwise = [following f p, preceding f p]
 
--- | Sweeps one vertex: so many corners, the k-th of them in the order of the heading as given, each edge of the line
--- being the tree edge of its source.
+-- | Sweeps one vertex: so many pairs, the k-th of them from its source to its target in the order of the heading as given,
+-- each pair being the tree edge of its source, or the next one after that along a wall's other face.
 --
--- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per corner besides the chain steps, which are counted.
+-- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per pair besides the chain steps, which are counted.
 sweepLine :: Frame -> Growing s -> Int -> (Int -> ST s Int) -> ST s ()
-sweepLine f tree size corner = do
-  when (size > 2) $ forM_ [1 .. size - 2] separate
-  advanceFrom (size - 2)
+sweepLine f tree size source = do
+  when (size > 1) $ forM_ [1 .. size - 1] separate
+  advanceFrom (size - 1)
   where
-    -- Makes the edge into the k-th corner the leaf of its chain, as every edge of the line must be.
+    -- Makes the last edge into the source of a pair the leaf of its chain, as every edge of the line must be.
     separate k = do
-      q <- corner k
+      q <- source k
       isLinked <- get tree (link q)
       when (isLinked == 1) $ do
-        p <- corner (k - 1)
-        e <- getNode tree (edge p)
+        e <- getNode tree (final (cornerList q))
         highest <- getNode tree (top e)
         cut tree q e highest
-    -- All but the last, the furthest first.
+    -- All pairs, the furthest first.
     advanceFrom k
       | k < 0 = pure ()
-      | otherwise = corner k >>= advance f tree >> advanceFrom (k - 1)
+      | otherwise = source k >>= advance f tree >> advanceFrom (k - 1)
 {-# INLINE sweepLine #-}
 
 -- | The tree edge of p has been swept: find the next one.
@@ -185,21 +186,22 @@ release f tree !p !q !swept = do
   when (stillLinked == 0) $ relink f tree q
 
 -- | The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads
--- forward and lies above; else there is none.
+-- forward and lies above, or is the upper face of the same piece of a wall; else there is none.
 besideSolid :: Frame -> Growing s -> Int -> Int -> ST s ()
 besideSolid f tree p q =
-  when (comesBefore f p r && turnIn f p q r == LeftTurn) $ attach f tree p (cornerList r) noNode noNode noNode
+  when (comesBefore f p r && turnIn f p q r /= RightTurn) $ attach f tree p (cornerList r) noNode noNode noNode
   where
     !r = preceding f p
 
 -- | On the underside of a ceiling, e is the nearest vertical edge to the left of the place reached so far.
 underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 underCeiling f tree !p !l !e
-  | e /= noNode, comesBefore f p (nodeSource f e) = settle f tree p l e
-  | a < frameSize f, comesBefore f p a = getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
+  | e /= noNode, comesBefore f p s, not (sharePlace f p s) = settle f tree p l e
+  | a < frameSize f, comesBefore f p a, not (sharePlace f p a) = getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
   | otherwise = settle f tree p l e
   where
     !a = listOwner l
+    s = nodeSource f e
 
 -- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the
 -- corner at which the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is
@@ -254,12 +256,19 @@ hidesAsEdge f tree p e = do
   if own == e then hides f tree p e else pure False
 {-# INLINE hidesAsEdge #-}
 
--- | Does this tree edge, from s to t, hide t from p?
+-- | Does this tree edge, from s to t, hide t from p? One from the place of p never does: it lies in another cone of free
+-- space there.
 hides :: Frame -> Growing s -> Int -> Node -> ST s Bool
 hides f tree p e
   | comesBefore f p s = do
       l <- getList tree (target s)
-      pure $! not (isCornerList l) || turnIn f s (listOwner l) p /= RightTurn
+      pure $!
+        if isCornerList l
+          then case turnIn f s (listOwner l) p of
+            LeftTurn -> True
+            RightTurn -> False
+            Collinear -> not (sharePlace f p s)
+          else not (sharePlace f p s)
   | otherwise = pure False
   where
     !s = nodeSource f e

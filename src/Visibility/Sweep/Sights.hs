@@ -57,7 +57,7 @@ turnThrough scene sights vertex = do
     when (following p == q) (M.unsafeModify (nextAbove sights) (1 -) p)
     when (following q == p) (M.unsafeModify (nextAbove sights) (1 -) q)
   where
-    pairs = vertexPairs vertex
+    pairs = vertexPairs scene vertex
     following p = let CornerId q = nextCorner scene (CornerId p) in q
     preceding p = let CornerId q = previousCorner scene (CornerId p) in q
 

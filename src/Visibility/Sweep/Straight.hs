@@ -152,13 +152,19 @@ nextDirection scene faces = do
             then ((c, d) :) <$> sameDirection least size (2 * i : 2 * i + 1 : rest)
             else sameDirection least size rest
 
--- | The vertices of one direction from their elementary pairs, which may be repeated.
+-- | The vertices of one direction from their elementary pairs, which may be repeated: pairs with a corner in common are on
+-- one vertex.
 joined :: [(Int, Int)] -> [Vertex]
-joined pairs = mapMaybe (fromCorners . map CornerId . from) (filter (`IntSet.notMember` reached) (IntMap.keys onward))
+joined pairs = mapMaybe (fromCorners . map CornerId . IntSet.toAscList) (components (IntMap.keysSet besides))
   where
-    onward = IntMap.fromList pairs
-    reached = IntSet.fromList (IntMap.elems onward)
-    from a = a : maybe [] from (IntMap.lookup a onward)
+    besides = IntMap.fromListWith (<>) (concat [[(a, [b]), (b, [a])] | (a, b) <- pairs])
+    components left = case IntSet.minView left of
+      Nothing -> []
+      Just (a, others) -> let line = reached [a] (IntSet.singleton a) in line : components (others IntSet.\\ line)
+    reached [] line = line
+    reached (a : rest) line =
+      let more = filter (`IntSet.notMember` line) (IntMap.findWithDefault [] a besides)
+       in reached (more <> rest) (foldr IntSet.insert line more)
 
 -- | Notes that a corner bounds the faces around it, and moves these faces in the queue. One bound is changed at a
 -- time, so that all others in the queue are in order.

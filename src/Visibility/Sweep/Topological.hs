@@ -20,9 +20,11 @@ module Visibility.Sweep.Topological
   , stepsTaken
   ) where
 
+import Control.Monad (forM_)
 import Control.Monad.ST (ST, runST)
 import Data.Bits (complement)
 import Data.Int (Int32)
+import qualified Data.IntSet as IntSet
 import Data.List (unfoldr)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
@@ -155,7 +157,6 @@ run :: Scene -> Running s -> Int -> Int -> Int -> ST s (Int, Int, Int)
 run scene (Running right left waiting stack written) = go 0
   where
     n = cornerCount scene
-    points = scenePoints scene
     rightward = frame scene Rightward
     leftward = frame scene Leftward
     room = M.length written - n
@@ -167,17 +168,31 @@ run scene (Running right left waiting stack written) = go 0
           top' <- M.read stack (depth - 1)
           let !p = fromIntegral top'
           M.write waiting p 0
-          found <- readyAt points right left p
+          found <- readyAt scene right left p
           case found of
             NotReady -> go size count (depth - 1) swept
             Ready leftmost k -> do
               write size leftmost k
               let line i = M.read written i >>= \c -> pure $! fromIntegral c
-              sweepLine rightward right k (\i -> line (size + i))
-              sweepLine leftward left k (\i -> line (size + k - 1 - i))
-              depth' <- push (depth - 1) size (size + k)
-              M.modify written complement (size + k - 1)
-              go (size + k) (count - 1) depth' (swept + k - 1)
+              sweepLine rightward right (k - 1) (\i -> line (size + i))
+              sweepLine leftward left (k - 1) (\i -> line (size + k - 1 - i))
+              finished size k (k - 1)
+            ReadyTracks line -> do
+              let k = length line
+                  pairs = maybe [] (vertexPairs scene) (fromCorners (map CornerId line))
+                  m = length pairs
+                  sources = U.fromList [c | (CornerId c, _) <- pairs]
+                  targets = U.fromList [c | (_, CornerId c) <- pairs]
+              forM_ (zip [size ..] line) $ \(i, c) -> M.write written i (fromIntegral c)
+              sweepLine rightward right m (\i -> pure $! sources U.! i)
+              sweepLine leftward left m (\i -> pure $! targets U.! (m - 1 - i))
+              finished size k m
+      where
+        -- A vertex of k corners and m pairs has been swept and written at this place.
+        finished here k m = do
+          depth' <- push (depth - 1) here (here + k)
+          M.modify written complement (here + k - 1)
+          go (here + k) (count - 1) depth' (swept + m)
 
     write !i !c !k
       | k <= 0 = pure ()
@@ -201,19 +216,21 @@ run scene (Running right left waiting stack written) = go 0
 -- | Is there a vertex to be swept at a corner?
 data Readiness
   = NotReady
-  | -- | With this leftmost corner and so many corners.
+  | -- | With this leftmost corner and so many corners, each the next one of the corner before.
     Ready !Int !Int
+  | -- | With these corners; the line runs along both faces of a wall somewhere.
+    ReadyTracks ![Int]
 
 -- | Looks at the next pair of p to the right, then at that to the left.
-readyAt :: Points -> Growing s -> Growing s -> Int -> ST s Readiness
-readyAt points right left !p = do
+readyAt :: Scene -> Growing s -> Growing s -> Int -> ST s Readiness
+readyAt scene right left !p = do
   l <- getList right (target p)
-  onRight <- if isCorner l then readyLine points right left p (listOwner l) else pure NotReady
+  onRight <- if isCorner l then readyLine scene right left p (listOwner l) else pure NotReady
   case onRight of
-    Ready _ _ -> pure onRight
     NotReady -> do
       l' <- getList left (target p)
-      if isCorner l' then readyLine points right left (listOwner l') p else pure NotReady
+      if isCorner l' then readyLine scene right left (listOwner l') p else pure NotReady
+    _ -> pure onRight
 
 isCorner :: List -> Bool
 isCorner l = l /= noList && isCornerList l
@@ -221,21 +238,62 @@ isCorner l = l /= noList && isCornerList l
 
 -- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of
 -- its corners, and no other unswept pair at its ends has a lesser slope.
-readyLine :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
-readyLine points right left !p !q = do
-  there <- getList right (target p)
-  back <- getList left (target q)
-  if there /= cornerList q || back /= cornerList p
-    then pure NotReady
-    else do
-      onRight <- beyond points right left p q
-      case onRight of
-        Wait -> pure NotReady
-        Further _ i -> do
-          onLeft <- beyond points left right q p
-          pure $ case onLeft of
-            Wait -> NotReady
-            Further leftmost j -> Ready leftmost (i + j + 2)
+readyLine :: Scene -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
+readyLine scene right left !p !q
+  | hasSplitEnds scene = maybe NotReady ReadyTracks <$> readyTracks scene right left p q
+  | otherwise = do
+      there <- getList right (target p)
+      back <- getList left (target q)
+      if there /= cornerList q || back /= cornerList p
+        then pure NotReady
+        else do
+          onRight <- beyond points right left p q
+          case onRight of
+            Wait -> pure NotReady
+            Further _ i -> do
+              onLeft <- beyond points left right q p
+              pure $ case onLeft of
+                Wait -> NotReady
+                Further leftmost j -> Ready leftmost (i + j + 2)
+  where
+    points = scenePoints scene
+
+-- | All corners of the line of p and q, in order, if it is a vertex that may be swept now; where it runs along both faces
+-- of a wall, the pairs at a free end of the wall come one after the other, but are swept together.
+--
+-- /Cost/ O(log k) for each of k corners.
+readyTracks :: Scene -> Growing s -> Growing s -> Int -> Int -> ST s (Maybe [Int])
+readyTracks scene right left !p !q = fmap IntSet.toAscList <$> go [p] (IntSet.singleton p)
+  where
+    points = scenePoints scene
+    go [] line = pure (Just line)
+    go (c : rest) line = do
+      ahead <- neighboursOn right left LeftTurn c
+      behind <- neighboursOn left right RightTurn c
+      case (<>) <$> ahead <*> behind of
+        Nothing -> pure Nothing
+        Just found ->
+          let more = filter (`IntSet.notMember` line) found
+           in go (more <> rest) (foldr IntSet.insert line more)
+    -- The corners next to c on the line in the direction of a tree, the other one being the opposite one; nothing if
+    -- something else must be swept first. The first turn is that to corners that are to be swept later.
+    neighboursOn tree other later c = do
+      l <- getList tree (target c)
+      let d = listOwner l
+      if not (isCorner l)
+        then pure (Just [])
+        else case turn points p q d of
+          Collinear -> do
+            let found = if isSplitEnd scene (CornerId c) && d `elem` besides c then besides c else [d]
+            mutual <- and <$> mapM (leadsBack other c) found
+            pure (if mutual then Just found else Nothing)
+          t | t == later -> pure (Just [])
+          _ -> pure Nothing
+    leadsBack tree c d = do
+      l <- getList tree (target d)
+      pure (l == cornerList c || (isSplitEnd scene (CornerId d) && c `elem` besides d && map cornerList (take 1 (besides d)) == [l]))
+    -- The corners at the other ends of a wall's two faces, that of the face which is swept first before the other.
+    besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
 
 -- | What follows on a line.
 data Beyond

@@ -26,7 +26,7 @@ module Visibility.Sweep.Vertical
   ) where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl')
+import Data.List (foldl', sortBy)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
@@ -139,56 +139,81 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
 slabs :: Scene -> V.Vector (Set Crossing)
 slabs scene = V.reverse (V.fromListN (cornerCount scene + 1) (Set.empty : [s | (_, _, s) <- visits scene Rightward]))
 
--- | Visits the corners against the heading and keeps the sides that cross the vertical: each corner with what is found
--- there, and the sides that cross the vertical after it.
+-- | Visits the places of corners against the heading and keeps the sides that cross the vertical: each corner with what is
+-- found there, and the sides that cross the vertical after its place.
 --
 -- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
--- with p on a chain stay, so that the first target is the nearest.
+-- with p on a chain stay, so that the first target is the nearest. Of the corners in one place, at most one sees down and
+-- at most one sees up: those whose cones contain these directions.
 --
 -- /Cost/ O(n log n) for the status, O(n) for the chains.
 visits :: Scene -> Heading -> [(Int, Row, Set Crossing)]
-visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (reverse (along heading (cornerCount scene)))
+visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (places heading (placeGroups scene))
   where
     sky = skyCode scene
     beyond = beyondAll scene
+    places Rightward = reverse
+    places Leftward = id
     visit _ [] = []
-    visit status (p : rest) =
-      let (row, status'@(Status crossing _)) = meet status p
-       in row `seq` crossing `seq` (p, row, crossing) : visit status' rest
+    visit status (group : rest) =
+      let (rows, status'@(Status crossing _)) = meet status [p | CornerId p <- group]
+       in crossing `seq` [(p, row, crossing) | (p, row) <- rows] <> visit status' rest
 
     next = following scene
     previous p = let CornerId q = previousCorner scene (CornerId p) in q
     turnOf = turn (scenePoints scene)
 
-    meet (Status crossing chains) p
-      | length leaving /= Set.size ending = broken "status of the plane sweep" ("at corner " <> show p)
-      | otherwise = (Row floorSide ceilingSide target, Status crossing' chains')
+    meet status [] = ([], status)
+    meet (Status crossing chains) here@(x : _)
+      | length leaving /= Set.size ending = broken "status of the plane sweep" ("at corner " <> show x)
+      | otherwise = (map row here, Status crossing' chains')
       where
-        neighbours = if next p == previous p then [next p] else [next p, previous p]
-        arriving = map (`Crossing` p) (upwardsFrom RightTurn (filter (\q -> before heading q p) neighbours))
-        leaving = upwardsFrom LeftTurn (filter (before heading p) neighbours)
-        -- Two neighbours ordered so that the turn from the first to the second, seen from p, is the given one.
-        upwardsFrom wanted [a, b] | turnOf p a b /= wanted = [b, a]
-        upwardsFrom _ qs = qs
-        (below, from) = Set.spanAntitone (\(Crossing a b) -> turnOf a b p == LeftTurn) crossing
-        (ending, above) = Set.spanAntitone (\(Crossing a _) -> a == p) from
-        crossing' = case arriving of
+        arriving = upwards' RightTurn [(q, p) | p <- here, q <- neighbours p, before heading q p]
+        leaving = upwards' LeftTurn [(p, q) | p <- here, q <- neighbours p, before heading p q]
+        (below, from) = Set.spanAntitone (\(Crossing a b) -> turnOf a b x == LeftTurn) crossing
+        (ending, above) = Set.spanAntitone (\(Crossing a _) -> samePlace scene (CornerId a) (CornerId x)) from
+        crossing' = case map (uncurry Crossing) arriving of
           [] -> Set.merge below above
           side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
         floorSide = maybe beyond (freeAbove scene) (Set.lookupMax below)
         ceilingSide = maybe beyond (freeBelow scene) (Set.lookupMin above)
-        chain = tangentChain p (IntMap.findWithDefault [] floorSide chains)
-        target
-          | floorSide == solid = fromMaybe solid (listToMaybe leaving)
-          | otherwise = fromMaybe sky (listToMaybe chain)
-        extended
-          | floorSide == solid = chains
-          | otherwise = IntMap.insert floorSide (p : chain) chains
+        chain = tangentChain x (IntMap.findWithDefault [] floorSide chains)
+        row p = (p, Row (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid) target)
+          where
+            (seesDown, seesUp) = verticals p
+            target
+              | seesDown = fromMaybe sky (listToMaybe chain)
+              | otherwise = fromMaybe solid (listToMaybe [q | (p', q) <- leaving, p' == p])
+        extended = foldl' (\hulls p -> IntMap.insert floorSide (p : chain) hulls) chains (filter (fst . verticals) here)
         chains' = foldl' begin (foldl' end extended leaving) arriving
-        end hull q = IntMap.delete (freeAbove scene (Crossing p q)) hull
-        begin hull side
-          | freeAbove scene side == solid = hull
-          | otherwise = IntMap.insert (freeAbove scene side) [p] hull
+        end hull (p, q) = IntMap.delete (freeAbove scene (Crossing p q)) hull
+        begin hull (q, p)
+          | side == solid = hull
+          | otherwise = IntMap.insert side [p] hull
+          where
+            side = freeAbove scene (Crossing q p)
+
+    neighbours p = if next p == previous p then [next p] else [next p, previous p]
+    -- Sides at one place, from the lowest to the uppermost, seen from their ends there: the first ends of those that arrive,
+    -- for which lower means that the turn to the next one is to the right, or the second ends of those that leave. Of the
+    -- two faces of one piece of a wall the lower one, which has free space on its right, comes first.
+    upwards' _ [] = []
+    upwards' _ [side] = [side]
+    upwards' wanted found = sortBy order found
+      where
+        order (a, b) (c, d) = case wanted of
+          RightTurn -> rank (turnOf b a c) <> faces (a, b) (c, d)
+          _ -> rank (turnOf a b d) <> faces (a, b) (c, d)
+        rank found'
+          | found' == wanted = LT
+          | found' == Collinear = EQ
+          | otherwise = GT
+        faces (a, b) _ = if next a == b then LT else GT
+    -- Does the cone of a corner hold the direction down, and that up?
+    verticals p = case (before heading (previous p) p, before heading (next p) p) of
+      (True, False) -> (True, False)
+      (False, True) -> (False, True)
+      _ -> let around = turnOf p (previous p) (next p) /= LeftTurn in (around, around)
 
     -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
     tangentChain p (a : b : rest) | turnOf p a b == RightTurn = tangentChain p (b : rest)

@@ -11,6 +11,7 @@ module Visibility.Complex.Law.Base
   , exactly
   , stretchesOf
   , cornersOf
+  , pairsOf
     -- * Directions
   , lineOf
   , compareLines
@@ -37,6 +38,7 @@ import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Predicate
 import Visibility.Law
 import Visibility.Scene
+import Visibility.Sweep.Vertex
 import Visibility.View (Flank (..))
 
 -- | A law of the complex of a scene: its name, what it says in full, and how it is decided.
@@ -75,24 +77,30 @@ stretchesOf complex v = [entry (vertexStarts complex) v .. entry (vertexStarts c
 cornersOf :: Complex -> Int -> [Int]
 cornersOf complex = map (entry (stretchCorners complex)) . stretchesOf complex
 
--- | The direction of a vertex, from its first corner to its second.
+-- | The elementary pairs of the line through some corners.
+pairsOf :: Complex -> [Int] -> [(CornerId, CornerId)]
+pairsOf complex line = maybe [] (vertexPairs (complexScene complex)) (fromCorners (map CornerId line))
+
+-- | The direction of a vertex, from its first corner to its last.
 lineOf :: Complex -> Int -> Direction
-lineOf complex v = direction (scenePoints (complexScene complex)) (corner e) (corner (e + 1))
+lineOf complex v = uncurry (direction (scenePoints (complexScene complex))) (endsOf complex v)
+
+-- | The first and the last corner of a vertex.
+endsOf :: Complex -> Int -> (Int, Int)
+endsOf complex v = (corner (vertexStarts complex `entry` v), corner (vertexStarts complex `entry` (v + 1) - 1))
   where
-    e = entry (vertexStarts complex) v
     corner = entry (stretchCorners complex)
 
 -- | The order of two vertices by direction.
 compareLines :: Complex -> Int -> Int -> Ordering
-compareLines complex v w = case headingTurn points (corner e) (corner (e + 1)) (corner f) (corner (f + 1)) of
+compareLines complex v w = case headingTurn points a b c d of
   LeftTurn -> LT
   Collinear -> EQ
   RightTurn -> GT
   where
     points = scenePoints (complexScene complex)
-    e = entry (vertexStarts complex) v
-    f = entry (vertexStarts complex) w
-    corner = entry (stretchCorners complex)
+    (a, b) = endsOf complex v
+    (c, d) = endsOf complex w
 
 -- | How a face reads a stretch of its chains: as it is where the stretch begins, or backwards, after the end of the
 -- half turn.

@@ -10,6 +10,7 @@ module Visibility.Complex.Law.Face
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Type
+import Visibility.Exact.Predicate
 import Visibility.Scene
 
 -- | /Cost/ O(incidences).
@@ -155,8 +156,9 @@ pairFaces :: Law
 pairFaces =
   lawOf
     "an elementary pair begins one face and ends one"
-    "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, one more for each thin wall \
-    \on it, and the last vertex of as many."
+    "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, and the last vertex of as many. \
+    \The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has corners \
+    \between its ends, each face has its own pairs."
     $ \complex ->
       let tally table =
             U.accum
@@ -173,29 +175,37 @@ pairFaces =
 
 -- | The faces that a line of corners begins.
 facesOfPairs :: Complex -> [Int] -> Int
-facesOfPairs complex line =
-  sum [if isWall (CornerId p) (CornerId q) then 2 else 1 | (p, q) <- zip line (drop 1 line)]
+facesOfPairs complex line = sum (map faces (pairsOf complex line))
   where
     scene = complexScene complex
-    isWall p q = isWallCorner scene p && nextCorner scene p == q
+    faces (p, q) = if nextCorner scene p == q && previousCorner scene p == q then 2 else 1 :: Int
 
 -- | /Cost/ O(stretches).
 counts :: Law
 counts =
   lawOf
     "the numbers of vertices, edges and faces fit"
-    "The bounded faces are as many as elementary pairs and thin walls together, and V − E − B + F is W + 1 under the \
-    \sky and W in a room: V vertices, E edges, B buried stretches, F faces, W thin walls."
+    "The bounded faces are as many as elementary pairs, those between the two ends of an untouched thin wall counted \
+    \twice, and V − E − B + F is W + 1 under the sky and W in a room: V vertices, E edges, B buried stretches, F faces, W \
+    \straight walls that nothing touches, with corners between their ends or not. Contacts change nothing else: a corner in \
+    \several cones of free space counts as often."
     $ \complex ->
       let scene = complexScene complex
           total = stretchTotal complex
           edges = length (filter (isEdge complex . EdgeId) [0 .. total - 1])
-          pairs = total - vertexTotal complex
-          walls = length (filter (isWallCorner scene) (corners scene)) `quot` 2
+          begun = sum (map (facesOfPairs complex . cornersOf complex) [0 .. vertexTotal complex - 1])
+          walls = length (straightWalls scene)
           outer = case surroundings scene of OpenSky -> 1; Room -> 0
           bounded = length (filter (isBounded complex) [0 .. faceTotal complex - 1])
           euler = vertexTotal complex - edges - (total - edges) + faceTotal complex
-       in [ show bounded <> " bounded faces, " <> show pairs <> " elementary pairs, " <> show walls <> " thin walls"
-          | bounded /= pairs + walls
-          ]
+       in [show bounded <> " bounded faces, " <> show begun <> " begun by pairs" | bounded /= begun]
             <> ["V − E − B + F is " <> show euler <> ", not " <> show (walls + outer) | euler /= walls + outer]
+
+-- | The walks around walls that lie on one line: the first corner of each.
+straightWalls :: Scene -> [CornerId]
+straightWalls scene = [c | c <- filter (isWallEnd scene) (corners scene), walk <- [walkFrom c], all (>= c) walk, straight walk]
+  where
+    walkFrom c = c : takeWhile (/= c) (drop 1 (iterate (nextCorner scene) c))
+    straight walk = and [onLine a b | (a, b) <- zip walk (drop 1 walk <> take 1 walk)]
+    -- Flat, or an end: the sides before and after a corner are on one line.
+    onLine (CornerId a) b = let CornerId i = b; CornerId c = nextCorner scene b in turn (scenePoints scene) a i c == Collinear

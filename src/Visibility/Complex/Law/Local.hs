@@ -15,6 +15,7 @@ import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.View (End (..), Flank (..), View (..))
 
 -- Note [Degrees]

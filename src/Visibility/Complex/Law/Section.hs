@@ -87,11 +87,11 @@ directionsFrom seeds =
     -- A step of a linear congruential generator, its low bits left out of the result.
     next s = ((s * 6364136223846793005 + 1442695040888963407) `mod` 2 ^ (64 :: Int)) `div` 2 ^ (20 :: Int)
 
--- | Is the direction parallel to no line through two corners? /Cost/ O(n log n).
+-- | Is the direction parallel to no line through corners in two places? /Cost/ O(n log n).
 isGeneric :: Scene -> Direction -> Bool
 isGeneric scene d = and (zipWith (/=) offsets (drop 1 offsets))
   where
-    offsets = sort (map (offset scene d) (corners scene))
+    offsets = sort [offset scene d c | c : _ <- placeGroups scene]
 
 -- | How far above the origin the line through a corner lies, times the length of the direction.
 offset :: Scene -> Direction -> CornerId -> Integer

@@ -18,6 +18,7 @@ import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.Sweep
 import Visibility.Sweep.Vertical (skyCode)
 
@@ -165,7 +166,7 @@ cornersOnLine :: Law
 cornersOnLine =
   lawOf
     "the corners of a vertex lie on its line, in order"
-    "The corners of a vertex are collinear and come from left to right, that is, by increasing id."
+    "The corners of a vertex are collinear and come from left to right, that is, by increasing id; not all in one place."
     $ \complex ->
       [ vertexLabel complex v
       | v <- [0 .. vertexTotal complex - 1]
@@ -173,8 +174,10 @@ cornersOnLine =
       , or (zipWith (>=) line (drop 1 line)) || not (collinear complex line)
       ]
   where
-    collinear complex (a : b : rest) =
-      all ((== Collinear) . turn (scenePoints (complexScene complex)) a b) rest
+    collinear complex line@(a : _ : _) =
+      let b = foldl (\_ c -> c) a line
+          scene = complexScene complex
+       in all ((== Collinear) . turn (scenePoints scene) a b) line && not (samePlace scene (CornerId a) (CornerId b))
     collinear _ _ = False
 
 -- | /Cost/ O(elementary pairs · n), in machine integers where coordinates are below 2³⁰.
@@ -183,13 +186,12 @@ pairsSee =
   lawOf
     "consecutive corners of a vertex see each other"
     "Between two corners that follow each other on a vertex the open segment meets no corner, crosses no side, and \
-    \enters the solid at neither end: they are an elementary pair."
+    \leaves the cone of free space at neither end: they are an elementary pair."
     $ \complex ->
       [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
       | let rays = raysIn (complexScene complex)
       , v <- [0 .. vertexTotal complex - 1]
-      , let line = cornersOf complex v
-      , (p, q) <- zip line (drop 1 line)
+      , (CornerId p, CornerId q) <- pairsOf complex (cornersOf complex v)
       , fault <- faults complex rays p q
       ]
   where

@@ -19,13 +19,19 @@ import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Scene.Raw (Form (..))
 import Visibility.View (Flank (..), View (..))
 
--- | Are there only convex polygons and thin walls under the sky? A flat corner is convex. /Cost/ O(n).
+-- | Are there only convex polygons and thin walls of two corners under the sky, none of which touches another? A flat
+-- corner is convex. /Cost/ O(n).
 isConvexScene :: Scene -> Bool
-isConvexScene scene = surroundings scene == OpenSky && all convex (corners scene)
+isConvexScene scene =
+  surroundings scene == OpenSky
+    && sceneContacts scene == 0
+    && all ((\polygon -> polygonForm polygon == Ring || length (polygonPoints polygon) == 2)) (scenePolygons scene)
+    && all convex (corners scene)
   where
-    convex c@(CornerId b) = isWallCorner scene c || turn (scenePoints scene) a b d /= RightTurn
+    convex c@(CornerId b) = isWallEnd scene c || turn (scenePoints scene) a b d /= RightTurn
       where
         CornerId a = previousCorner scene c
         CornerId d = nextCorner scene c
@@ -106,8 +112,9 @@ convexTables complex union =
       [ ClosedCurve (polygonId polygon) (regionAt e (across Below)) (regionAt e (behind Below)) (around e)
       | polygon <- scenePolygons scene
       , polygonId polygon `Set.notMember` touched
-      , Just e <- [listToMaybe (mapMaybe wrapping (polygonCorners polygon))]
+      , Just e <- [listToMaybe (mapMaybe wrapping (cornersByPolygon (polygonId polygon)))]
       ]
+    cornersByPolygon p = [c | c <- corners scene, polygonOfCorner scene c == p]
     touched = Set.fromList [meetingPolygon m | (_, met) <- found, m <- met]
     wrapping c = case edgeView complex e of
       Tangent Below _ _ -> Just e

@@ -31,10 +31,10 @@ data PolygonLabel = OfPolygon !PolygonId | OfSky
 
 -- | The polygon that an object belongs to.
 polygonLabel :: Scene -> Object -> PolygonLabel
-polygonLabel scene (Side s) = OfPolygon (polygonOfCorner scene (sideStart s))
+polygonLabel scene (Side s) = let SideName p _ = sideName scene s in OfPolygon p
 polygonLabel _ Sky = OfSky
 
--- | The polygon that a corner belongs to.
+-- | The polygon that a corner belongs to; where polygons touch, one of them.
 polygonOfCorner :: Scene -> CornerId -> PolygonId
 polygonOfCorner scene c = case cornerName scene c of CornerName p _ -> p
 
@@ -185,8 +185,8 @@ wallJoins complex placeOn v = concat (zipWith3 wall [0 ..] after (drop 1 after))
     count = length after
     wall :: Int -> EdgeId -> EdgeId -> [(Place, Place)]
     wall i p q
-      | not (isWallCorner scene (edgeCorner complex p)) = []
       | nextCorner scene (edgeCorner complex p) /= edgeCorner complex q = []
+      | previousCorner scene (edgeCorner complex p) /= edgeCorner complex q = []
       | otherwise =
           (if i == 0 || (i == 1 && isNothing (vertexBack complex v)) then same Back p else [])
             <> (if i == count - 2 || (i == count - 3 && isNothing (vertexFront complex v)) then same Front q else [])
@@ -221,16 +221,19 @@ quarterOn Below Front = BelowFront
 -- corner, where only one flank has a face.
 quarterLabel :: Scene -> CornerId -> View -> Quarter -> Maybe (PolygonLabel, PolygonLabel)
 quarterLabel scene c view quarter = case (view, quarter) of
-  (Tangent Above b _, AboveBack) -> Just (polygonLabel scene b, own)
-  (Tangent Above _ f, AboveFront) -> Just (own, polygonLabel scene f)
-  (Tangent Below b _, BelowBack) -> Just (polygonLabel scene b, own)
-  (Tangent Below _ f, BelowFront) -> Just (own, polygonLabel scene f)
+  (Tangent Above b _, AboveBack) -> Just (polygonLabel scene b, arriving)
+  (Tangent Above _ f, AboveFront) -> Just (leaving, polygonLabel scene f)
+  (Tangent Below b _, BelowBack) -> Just (polygonLabel scene b, leaving)
+  (Tangent Below _ f, BelowFront) -> Just (arriving, polygonLabel scene f)
   (Tangent _ b f, _) -> Just (polygonLabel scene b, polygonLabel scene f)
-  (Ending Front b, AboveBack) -> Just (polygonLabel scene b, own)
-  (Ending Front b, BelowBack) -> Just (polygonLabel scene b, own)
-  (Ending Back f, AboveFront) -> Just (own, polygonLabel scene f)
-  (Ending Back f, BelowFront) -> Just (own, polygonLabel scene f)
+  (Ending Front b, AboveBack) -> Just (polygonLabel scene b, arriving)
+  (Ending Front b, BelowBack) -> Just (polygonLabel scene b, leaving)
+  (Ending Back f, AboveFront) -> Just (leaving, polygonLabel scene f)
+  (Ending Back f, BelowFront) -> Just (arriving, polygonLabel scene f)
   (Ending _ _, _) -> Nothing
   (Buried _, _) -> Nothing
   where
-    own = OfPolygon (polygonOfCorner scene c)
+    CornerId start = c
+    CornerId before = previousCorner scene c
+    leaving = polygonLabel scene (Side (SideId start))
+    arriving = polygonLabel scene (Side (SideId before))

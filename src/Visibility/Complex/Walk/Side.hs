@@ -13,7 +13,6 @@ module Visibility.Complex.Walk.Side
 
 import Control.Monad (forM_)
 import Data.Int (Int32)
-import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import qualified Data.Vector.Unboxed as U
@@ -73,20 +72,23 @@ data SideLook = SideLook
   -- ^ How many faces were visited.
   }
 
--- | All that a side sees, with exact measures and form factors.
+-- | All that a side of the file sees, with exact measures and form factors: all its pieces together. 'Nothing' if the file
+-- has no such side.
 --
 -- /Cost/ proportional to the faces of the side and their boundaries, besides the arithmetic of sums of roots.
 --
--- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to 1.
-sees :: SideIndex -> SideId -> SideLook
-sees index@(SideIndex complex _ _) s =
-  SideLook (map factor (sortOn (objectOrder scene . fst) (Map.toList totals))) (length faces)
+-- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to the part of
+-- the side that is not covered.
+sees :: SideIndex -> SideName -> Maybe SideLook
+sees index@(SideIndex complex _ _) name = looked <$> piecesOf scene name
   where
     scene = complexScene complex
-    faces = facesOf index (Side s)
-    totals = Map.map RootSum.merged (Map.fromListWith RootSum.plus [(other f, faceMeasure complex f) | f <- faces])
-    other f = if faceBack complex f == Side s then faceFront complex f else faceBack complex f
-    factor (object, total) = formFactor scene s object total
+    looked pieces = SideLook (map factor (Map.toAscList totals)) (length faces)
+      where
+        faces = [(s, f) | s <- pieces, f <- facesOf index (Side s)]
+        totals = Map.map RootSum.merged (Map.fromListWith RootSum.plus [(other s f, faceMeasure complex f) | (s, f) <- faces])
+    other s f = seenAs scene (if faceBack complex f == Side s then faceFront complex f else faceBack complex f)
+    factor (object, total) = formFactor scene name object total
 
 -- | The measure of the lines of a face, its area in the dual, in the file's units: the integral of its upper boundary
 -- less that of its lower one. A corner's curve adds what its position along the line gains from one end of the

@@ -7,6 +7,7 @@ module Visibility.Sweep.HorizonTree.Frame
   , preceding
   , comesBefore
   , turnIn
+  , sharePlace
     -- * Nodes and corners
   , nodeSource
   , markerOf
@@ -30,6 +31,7 @@ data Tables = Tables
   { tableSize :: !Int
   , tablePoints :: !Points
   , tableNeighbours :: !(U.Vector Int32)
+  , tablePlaces :: !(U.Vector Int32)
   }
 
 frame :: Scene -> Heading -> Frame
@@ -37,7 +39,7 @@ frame scene heading = case heading of
   Rightward -> RightwardFrame tables
   Leftward -> LeftwardFrame tables
   where
-    tables = Tables (cornerCount scene) (scenePoints scene) (neighbourTable scene)
+    tables = Tables (cornerCount scene) (scenePoints scene) (neighbourTable scene) (placeNumbers scene)
 
 tablesOf :: Frame -> Tables
 tablesOf (RightwardFrame tables) = tables
@@ -63,6 +65,13 @@ comesBefore (LeftwardFrame _) = before Leftward
 turnIn :: Frame -> Int -> Int -> Int -> Turn
 turnIn = turn . tablePoints . tablesOf
 {-# INLINE turnIn #-}
+
+-- | Are two corners in one place?
+sharePlace :: Frame -> Int -> Int -> Bool
+sharePlace f a b = places U.! a == places U.! b
+  where
+    places = tablePlaces (tablesOf f)
+{-# INLINE sharePlace #-}
 
 -- | The corner that a node comes from.
 nodeSource :: Frame -> Node -> Int

@@ -1,0 +1,46 @@
+-- | The cone of free space at a corner, decided by its two sides.
+module Visibility.Scene.Cone
+  ( Moment (..)
+  , entersSolid
+  , heading
+  , sameWay
+  ) where
+
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Direction (..), Turn (..), directionTurn)
+import Visibility.Scene
+
+-- | When to look, while a direction turns to the left: at it, or next to nothing before or after it.
+data Moment = JustBefore | JustThen | JustAfter
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | Does a ray from a corner leave its cone of free space right there? The cone lies between the side to the preceding
+-- corner and, counter-clockwise from it, the side to the following one; all else is solid for this corner, even where
+-- another cone begins in the same place.
+--
+-- /Degenerate cases/ 'JustThen', a ray along a side does not; a free end of a thin wall has no solid.
+--
+-- /Cost/ O(1).
+entersSolid :: Scene -> Moment -> CornerId -> Direction -> Bool
+entersSolid scene moment c ray
+  | isWallEnd scene c = False
+  | otherwise = inside || (moment == JustAfter && along to) || (moment == JustBefore && along from)
+  where
+    to = heading scene c (nextCorner scene c)
+    from = heading scene c (previousCorner scene c)
+    inside = case directionTurn to from of
+      LeftTurn -> left to ray && left ray from
+      Collinear -> left to ray
+      RightTurn -> not (directionTurn from ray /= RightTurn && directionTurn ray to /= RightTurn)
+    left a b = directionTurn a b == LeftTurn
+    along side = directionTurn side ray == Collinear && sameWay side ray
+
+-- | The direction from one corner to another.
+heading :: Scene -> CornerId -> CornerId -> Direction
+heading scene a b = Direction x y
+  where
+    Vector2 x y = difference (cornerAt scene a) (cornerAt scene b)
+
+-- | Do two parallel directions lead the same way?
+sameWay :: Direction -> Direction -> Bool
+sameWay (Direction ax ay) (Direction bx by) = ax * bx + ay * by > 0

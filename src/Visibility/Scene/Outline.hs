@@ -1,0 +1,118 @@
+-- | The stated corners of all polygons by one index: what validation works on.
+module Visibility.Scene.Outline
+  ( Shape
+  , formOf
+  , fewestCorners
+  , Outline (..)
+  , outline
+    -- * Polygons
+  , polygonIndices
+  , cornersOf
+  , around
+  , segmentStarts
+  , segmentFrom
+    -- * Places
+  , placeOf
+    -- * Names
+  , cornerNameOf
+  , sideNameOf
+  , backSideOf
+  ) where
+
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Point (Point, latticeFor, ontoLattice)
+import Visibility.Scene.Contact
+import Visibility.Scene.Id
+import Visibility.Scene.Raw
+
+-- | A polygon as it is stated, with its id.
+type Shape = (PolygonId, RawPolygon)
+
+-- | How the corners of a polygon are joined. An enclosure is a ring, two corners make a thin wall.
+formOf :: Shape -> Form
+formOf (Enclosure, _) = Ring
+formOf (Obstacle _, polygon) = case rawCorners polygon of
+  [_, _] -> Polyline
+  _ -> rawForm polygon
+
+-- | So many corners at least.
+fewestCorners :: Shape -> Int
+fewestCorners shape = case formOf shape of
+  Ring -> 3
+  Polyline -> 2
+
+-- | The corners of polygons by one index, in the file's order.
+data Outline = Outline
+  { outlineIds :: !(V.Vector PolygonId)
+  , outlineForms :: !(V.Vector Form)
+  , outlineFirst :: !(U.Vector Int)
+  -- ^ By polygon: the index of its corner 0; then the number of corners.
+  , outlineOwner :: !(U.Vector Int)
+  -- ^ By corner: the place of its polygon in 'outlineIds'.
+  , outlinePoints :: !(V.Vector Point)
+  , outlineRanked :: !Ranked
+  }
+
+-- | /Requires/ at least one corner in each shape. /Cost/ O(n log n).
+outline :: [Shape] -> Outline
+outline shapes =
+  Outline
+    { outlineIds = V.fromList (map fst shapes)
+    , outlineForms = V.fromList (map formOf shapes)
+    , outlineFirst = U.fromList (scanl (+) 0 sizes)
+    , outlineOwner = U.fromList (concat (zipWith replicate sizes [0 ..]))
+    , outlinePoints = V.fromList points
+    , outlineRanked = ranked (map (ontoLattice (latticeFor points)) points)
+    }
+  where
+    points = concatMap (rawCorners . snd) shapes
+    sizes = map (length . rawCorners . snd) shapes
+
+-- | The places of all polygons in 'outlineIds'.
+polygonIndices :: Outline -> [Int]
+polygonIndices o = [0 .. V.length (outlineIds o) - 1]
+
+-- | The indices of a polygon's corners.
+cornersOf :: Outline -> Int -> [Int]
+cornersOf o p = [outlineFirst o U.! p .. outlineFirst o U.! (p + 1) - 1]
+
+-- | Corner k steps on around the same polygon.
+around :: Outline -> Int -> Int -> Int
+around o k i = first + (i - first + k) `mod` (outlineFirst o U.! (p + 1) - first)
+  where
+    p = outlineOwner o U.! i
+    first = outlineFirst o U.! p
+
+-- | The segments of a polygon, by the corners that start them. The two faces of a thin wall are one.
+segmentStarts :: Outline -> Int -> [Int]
+segmentStarts o p = case outlineForms o V.! p of
+  Ring -> cornersOf o p
+  Polyline -> drop 1 (map (subtract 1) (cornersOf o p))
+
+-- | The segment that a corner starts.
+segmentFrom :: Outline -> Int -> Segment
+segmentFrom o i = Segment i (around o 1 i)
+
+-- | Where a corner is: the order of places is the lexicographic one.
+placeOf :: Outline -> Int -> (Int, Int)
+placeOf o i = (column r U.! i, row r U.! i)
+  where
+    r = outlineRanked o
+
+cornerNameOf :: Outline -> Int -> CornerName
+cornerNameOf o i = CornerName (outlineIds o V.! p) (i - outlineFirst o U.! p)
+  where
+    p = outlineOwner o U.! i
+
+-- | The side that starts at a corner; of a thin wall, the face on the right of the way from there.
+sideNameOf :: Outline -> Int -> SideName
+sideNameOf o i = let CornerName p k = cornerNameOf o i in SideName p k
+
+-- | The face of a thin wall on the left of the way from a corner.
+backSideOf :: Outline -> Int -> SideName
+backSideOf o i = SideName p (2 * n - 3 - k)
+  where
+    CornerName p k = cornerNameOf o i
+    owner = outlineOwner o U.! i
+    n = outlineFirst o U.! (owner + 1) - outlineFirst o U.! owner
