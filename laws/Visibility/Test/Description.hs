@@ -7,6 +7,7 @@ module Visibility.Test.Description
   ) where
 
 import Data.Bifunctor (bimap)
+import Data.List (sort)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Complex
@@ -17,11 +18,14 @@ import Visibility.View (End, Flank (..), View (..))
 -- | An object by its name, the sky having none.
 type Named = Maybe SideName
 
+-- | A corner by all names in its place.
+type Corner = [CornerName]
+
 -- | A vertex by its corners.
-type Line = [CornerName]
+type Line = [Corner]
 
 -- | A stretch by its corner and the vertex where it begins.
-type Stretch = (CornerName, Line)
+type Stretch = (Corner, Line)
 
 -- | A face by its labels and where it begins; and by its chains, which tell apart faces that share these.
 type Face = (Named, Named, Maybe Line, Maybe Line, [Stretch], [Stretch])
@@ -55,8 +59,8 @@ description complex =
     }
   where
     scene = complexScene complex
-    line v = map (cornerName scene) (vertexCorners (vertexAt complex v))
-    stretch e = (cornerName scene (edgeCorner complex e), line (edgeFirst complex e))
+    line v = map (namesHere scene) (vertexCorners (vertexAt complex v))
+    stretch e = (namesHere scene (edgeCorner complex e), line (edgeFirst complex e))
     named (Side s) = Just (sideName scene s)
     named Sky = Nothing
     viewFacts view = case view of
@@ -78,7 +82,7 @@ description complex =
 
 -- | The same complex under new names.
 renamedDescription :: (CornerName -> CornerName) -> (SideName -> SideName) -> Description -> Description
-renamedDescription corner side told =
+renamedDescription rename side told =
   Description
     { vertexFacts =
         Set.map (\(l, k, b, f, fs) -> (line l, k, fmap object b, fmap object f, Set.map face fs)) (vertexFacts told)
@@ -90,6 +94,7 @@ renamedDescription corner side told =
     , faceFacts = Set.map face (faceFacts told)
     }
   where
+    corner = sort . map rename
     line = map corner
     object = fmap side
     stretch = bimap corner line

@@ -13,10 +13,12 @@ module Visibility.Test.Generator
   , LatticeScene (..)
   , SmallScene (..)
   , ConvexScene (..)
+  , TouchingScene (..)
   , HardScene (..)
     -- * Generators
   , latticeScene
   , gridScene
+  , touchingScene
   , needleScene
   , familyScene
   , dressed
@@ -32,7 +34,7 @@ import Data.Ratio (denominator, numerator, (%))
 import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Law (broken)
-import Visibility.Scene (Scene)
+import Visibility.Scene (Scene, sceneContacts)
 import Visibility.Scene.Family
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
@@ -57,9 +59,12 @@ sampleText :: RawScene -> String
 sampleText raw =
   "{" <> maybe "" (\room -> "\"enclosure\": {\"corners\": " <> loop room <> "}, ") (rawEnclosure raw)
     <> "\"polygons\": "
-    <> list (map loop (rawPolygons raw))
+    <> list (map polygonText' (rawPolygons raw))
     <> "}"
   where
+    polygonText' polygon
+      | rawForm polygon == Polyline = "{\"wall\": " <> loop polygon <> "}"
+      | otherwise = loop polygon
     loop polygon = list [list [number x, number y] | Point x y <- rawCorners polygon]
     list parts = "[" <> intercalate "," parts <> "]"
     number q
@@ -78,6 +83,9 @@ newtype SmallScene = SmallScene Sample
 -- | Convex polygons and thin walls under the sky, without flat corners.
 newtype ConvexScene = ConvexScene Sample
 
+-- | Polygons and walls that touch, on a small lattice: everything of this kind.
+newtype TouchingScene = TouchingScene Sample
+
 -- | Beyond machine integers: huge coordinates, nearly collinear corners, rationals with unrelated denominators.
 newtype HardScene = HardScene Sample
 
@@ -85,17 +93,20 @@ instance Show AnyScene where show (AnyScene s) = show s
 instance Show LatticeScene where show (LatticeScene s) = show s
 instance Show SmallScene where show (SmallScene s) = show s
 instance Show ConvexScene where show (ConvexScene s) = show s
+instance Show TouchingScene where show (TouchingScene s) = show s
 instance Show HardScene where show (HardScene s) = show s
 
 instance Arbitrary AnyScene where
   arbitrary =
     AnyScene
       <$> frequency
-        [ (12, latticeScene)
+        [ (9, latticeScene)
+        , (6, touchingScene)
         , (2, gridScene)
         , (1, needleScene)
         , (1, familyScene)
-        , (4, latticeScene >>= dressed)
+        , (3, latticeScene >>= dressed)
+        , (2, touchingScene >>= dressed)
         , (1, gridScene >>= dressed)
         ]
   shrink (AnyScene s) = map AnyScene (shrinkSample s)
@@ -108,14 +119,23 @@ instance Arbitrary SmallScene where
   arbitrary = SmallScene <$> (choose (1, 4) >>= \count -> grown (Growth 5 count [3, 4, 5, 6, 8]))
   shrink (SmallScene s) = map SmallScene (shrinkSample s)
 
+instance Arbitrary TouchingScene where
+  arbitrary = TouchingScene <$> touchingScene
+  shrink (TouchingScene s) = map TouchingScene (shrinkSample s)
+
 instance Arbitrary ConvexScene where
   arbitrary = do
     edge <- elements [5, 8, 12, 1000]
     count <- choose (1, 7)
     loops <- vectorOf (2 * count) (placed edge >>= \box -> oneof [wall box, hull <$> vectorOf 5 (points box)])
-    pure (ConvexScene (kept (map ring loops)))
+    pure (ConvexScene (valid (foldl apart (alone Nothing) (map ring loops))))
     where
       points (Box (x, y) w h) = (,) <$> choose (x, x + w) <*> choose (y, y + h)
+      apart now polygon
+        | maybe False ((== 0) . sceneContacts . sampleScene) (sample next) = next
+        | otherwise = now
+        where
+          next = added now polygon
   shrink (ConvexScene s) = [ConvexScene t | t <- shrinkSample s, polygons t < polygons s]
     where
       polygons = length . rawPolygons . sampleRaw
@@ -154,6 +174,37 @@ grown (Growth most count extents) = do
         Point bx by <- elements found
         box <- placed edge
         throughTwo (numerator ax, numerator ay) (numerator bx, numerator by) box
+
+-- | A scene that grows by polygons and walls put against what is there already: corner on corner, corner on side, along
+-- sides, from one thing to another; or a grid of squares side by side.
+touchingScene :: Gen Sample
+touchingScene = frequency [(5, growing), (1, kept . map ring <$> sideBySide)]
+  where
+    growing = do
+      n <- getSize
+      edge <- elements [3, 4, 6, 8, 12]
+      count <- choose (2, 3 + n `div` 12)
+      room <- frequency [(3, pure Nothing), (2, Just . ring <$> roomShape (Box (1, 1) (edge - 2) (edge - 2)))]
+      valid <$> foldM (against edge count) (alone room) [1 .. 4 * count :: Int]
+    against edge count now _
+      | length (rawPolygons now) >= count = pure now
+      | otherwise = do
+          box <- placed edge
+          let everything = maybe id (:) (rawEnclosure now) (rawPolygons now)
+              whole (Point x y) = (numerator x, numerator y)
+              sides' = concat [zip loop (drop 1 loop <> take 1 loop) | p <- everything, let loop = map whole (rawCorners p)]
+          added now <$> proposal box sides'
+    proposal box [] = ring <$> shape 5 box
+    proposal box sides' =
+      frequency
+        [ (2, ring <$> shape 5 box)
+        , (3, ring <$> atPoints sides' box)
+        , (3, elements sides' >>= \(a, b) -> ring <$> alongSegment a b box)
+        , (2, wallOf <$> wallFrom sides' box)
+        , (1, wallOf . closed <$> (roomShape box >>= \loop -> pure (take 5 loop)))
+        ]
+    wallOf points = rawWall [Point (x % 1) (y % 1) | (x, y) <- points]
+    closed loop = loop <> take 1 loop
 
 -- | A part of a square lattice, of any size down to three points wide.
 placed :: Integer -> Gen Box
@@ -245,7 +296,8 @@ shrinkSample (Sample raw _) =
       <> [smaller | smaller <- map (mapped raw) simpler, smaller /= raw]
   where
     lessCorners least p =
-      [p {rawCorners = points} | points <- dropOne (rawCorners p), length points >= least]
+      [p {rawForm = formOf' p points, rawCorners = points} | points <- dropOne (rawCorners p), length points >= least]
+    formOf' p points = if length points == 2 then Polyline else rawForm p
     dropOne xs = [take i xs <> drop (i + 1) xs | i <- [0 .. length xs - 1]]
     oneShrunk f xs = [take i xs <> [y] <> drop (i + 1) xs | (i, x) <- zip [0 ..] xs, y <- f x]
     simpler = [rounded, halved, toOrigin]

@@ -38,7 +38,7 @@ import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Sweep
-import Visibility.View (events)
+import Visibility.View (events, statedPairs)
 
 -- | A map of scenes, and what it does to names.
 data Change = Change
@@ -89,7 +89,7 @@ turnedByThreeFourFive =
 mirrored :: RawScene -> Change
 mirrored raw = (onPoints "mirror" (\(Point x y) -> Point (negate x) y) raw) {newSide = faces}
   where
-    faces (SideName p k) = SideName p (if countOf raw p == 2 then 1 - k else k)
+    faces (SideName p k) = SideName p (case formIn raw p of Polyline -> 2 * countOf raw p - 3 - k; Ring -> k)
 
 sheared :: RawScene -> Gen Change
 sheared raw = do
@@ -109,12 +109,16 @@ permutedPolygons raw = do
       , newSide = \(SideName p k) -> SideName (polygon p) k
       }
 
--- | Each polygon begins with another corner.
+-- | Each polygon begins with another corner; a thin wall of three corners or more does not.
 rotatedCorners :: RawScene -> Gen Change
 rotatedCorners raw = do
   r <- choose (1, 7)
-  let rotate p = let (a, b) = splitAt (r `mod` length (rawCorners p)) (rawCorners p) in p {rawCorners = b <> a}
-      index p k = (k - r) `mod` countOf raw p
+  let rotate p
+        | rawForm p == Polyline && length (rawCorners p) > 2 = p
+        | otherwise = let (a, b) = splitAt (r `mod` length (rawCorners p)) (rawCorners p) in p {rawCorners = b <> a}
+      index p k
+        | formIn raw p == Polyline && countOf raw p > 2 = k
+        | otherwise = (k - r) `mod` countOf raw p
   pure (onLoops ("rotate corner lists by " <> show r) rotate index index raw)
 
 -- | All polygons the other way round in the file. A face of a thin wall is named by the corner from which it is on the
@@ -124,9 +128,9 @@ reversedOrientation raw =
   pure (onLoops "reverse corner lists" (\p -> p {rawCorners = reverse (rawCorners p)}) corner side raw)
   where
     corner p k = countOf raw p - 1 - k
-    side p k
-      | countOf raw p == 2 = 1 - k
-      | otherwise = (countOf raw p - 2 - k) `mod` countOf raw p
+    side p k = case formIn raw p of
+      Polyline -> (k + countOf raw p - 1) `mod` (2 * countOf raw p - 2)
+      Ring -> (countOf raw p - 2 - k) `mod` countOf raw p
 
 onLoops
   :: String
@@ -144,9 +148,15 @@ onLoops text f corner side raw =
     }
 
 countOf :: RawScene -> PolygonId -> Int
-countOf raw p = case p of
-  Enclosure -> maybe 1 (length . rawCorners) (rawEnclosure raw)
-  Obstacle i -> maximum (1 : map (length . rawCorners) (take 1 (drop i (rawPolygons raw))))
+countOf raw p = maximum (1 : map (length . rawCorners) (polygonIn raw p))
+
+formIn :: RawScene -> PolygonId -> Form
+formIn raw p = if any ((== Polyline) . rawForm) (polygonIn raw p) then Polyline else Ring
+
+polygonIn :: RawScene -> PolygonId -> [RawPolygon]
+polygonIn raw p = case p of
+  Enclosure -> maybe [] pure (rawEnclosure raw)
+  Obstacle i -> take 1 (drop i (rawPolygons raw))
 
 -- | A side cut by a flat corner: the scene with it, the side, its two parts, the new corner, and new names for all
 -- else.
@@ -174,11 +184,11 @@ splitSide raw
   where
     loops = [ (Obstacle i, rawCorners p)
             | (i, p) <- zip [0 ..] (rawPolygons raw)
+            , rawForm p == Ring
             ] <> [(Enclosure, rawCorners p) | Just p <- [rawEnclosure raw]]
     choices =
       [ (p, k, \t -> Point (ax + t * (bx - ax)) (ay + t * (by - ay)))
       | (p, loop) <- loops
-      , length loop > 2
       , (k, (Point ax ay, Point bx by)) <- zip [0 ..] (zip loop (drop 1 (cycle loop)))
       ]
 
@@ -202,9 +212,7 @@ splitAtPoint raw p k point =
 type Graph = Set.Set (CornerName, CornerName)
 
 graphOf :: Scene -> Graph
-graphOf scene = Set.fromList (map named (concatMap vertexPairs (vertices scene)))
-  where
-    named (p, q) = inOrder (cornerName scene p) (cornerName scene q)
+graphOf scene = Set.fromList (concatMap (statedPairs scene) (concatMap (vertexPairs scene) (vertices scene)))
 
 renamedGraph :: (CornerName -> CornerName) -> Graph -> Graph
 renamedGraph f = Set.map (\(p, q) -> inOrder (f p) (f q))
@@ -225,12 +233,12 @@ measuresOf = tableOf factorMeasure
 tableOf :: (FormFactor -> RootSum) -> Scene -> Factors
 tableOf part scene =
   Map.fromList
-    [ ((sideName scene (factorFrom f), target (factorTo f)), part f)
+    [ ((factorFrom f, target (factorTo f)), part f)
     | f <- formFactors scene (measures scene (events scene (vertices scene)))
     ]
   where
-    target (Side s) = Just (sideName scene s)
-    target Sky = Nothing
+    target (TheSide s) = Just s
+    target TheSky = Nothing
 
 renamedFactors :: (SideName -> SideName) -> Factors -> Factors
 renamedFactors f = Map.mapKeys (bimap f (fmap f))

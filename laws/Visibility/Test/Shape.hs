@@ -10,6 +10,11 @@ module Visibility.Test.Shape
   , squareGrid
   , slimTriangles
   , throughTwo
+    -- * Proposals that touch
+  , sideBySide
+  , atPoints
+  , alongSegment
+  , wallFrom
     -- * Building blocks
   , hull
   , untangled
@@ -161,3 +166,52 @@ withFlatCorners loop = concat <$> mapM side (zip loop (drop 1 (cycle loop)))
           (dx, dy) = if g == 0 then (0, 0) else ((bx - ax) `quot` g, (by - ay) `quot` g)
       ks <- sublistOf [1 .. min 3 (g - 1)]
       pure (a : [(ax + k * dx, ay + k * dy) | k <- ks])
+
+-- | Some rectangles of a grid without gaps, of different widths and heights: they touch along whole sides or parts of them,
+-- or in corners, and may close off pockets.
+sideBySide :: Gen [[Corner]]
+sideBySide = do
+  xs <- cuts
+  ys <- cuts
+  chance <- choose (3, 9 :: Int)
+  chosen <- mapM (\cell -> (,) cell <$> choose (0, 9)) [(column, row) | column <- zip xs (drop 1 xs), row <- zip ys (drop 1 ys)]
+  pure [[(x, y), (x', y), (x', y'), (x, y')] | (((x, x'), (y, y')), k) <- chosen, k < chance]
+  where
+    cuts = choose (2, 4) >>= \n -> scanl (+) 0 <$> vectorOf n (choose (1, 2))
+
+-- | A lattice point of a segment: often an end.
+pointOf :: (Corner, Corner) -> Gen Corner
+pointOf ((ax, ay), (bx, by)) = do
+  let g = gcd (bx - ax) (by - ay)
+      (dx, dy) = if g == 0 then (0, 0) else ((bx - ax) `quot` g, (by - ay) `quot` g)
+  k <- oneof [pure 0, choose (0, g), choose (min 1 g, max 0 (g - 1))]
+  pure (ax + k * dx, ay + k * dy)
+
+-- | A polygon with one or two corners on given segments.
+atPoints :: [(Corner, Corner)] -> Box -> Gen [Corner]
+atPoints segments box = do
+  fixed <- choose (1, 2) >>= \n -> vectorOf n (elements segments >>= pointOf)
+  others <- choose (1, 3) >>= \n -> vectorOf n (inBox box)
+  frequency [(3, pure (untangled (nub (fixed <> others)))), (2, pure (hull (fixed <> others)))]
+
+-- | A polygon with a side along a part of a segment, or along its line and beyond its ends; or a thin wall there.
+alongSegment :: Corner -> Corner -> Box -> Gen [Corner]
+alongSegment a@(ax, ay) b@(bx, by) box = do
+  let g = gcd (bx - ax) (by - ay)
+      (dx, dy) = if g == 0 then (0, 0) else ((bx - ax) `quot` g, (by - ay) `quot` g)
+      at k = (ax + k * dx, ay + k * dy)
+  i <- choose (-1, g)
+  j <- choose (i + 1, g + 2)
+  aside <- elements [-1, 1, 2, -2]
+  (px, py) <- inBox box
+  let along = if a == b then [a] else [at i, at j]
+      lifted (x, y) = (x - aside * dy, y + aside * dx)
+  elements [along, along <> [(px, py)], along <> map lifted (reverse along)]
+
+-- | A thin wall of up to four corners that begins, and perhaps ends, on given segments.
+wallFrom :: [(Corner, Corner)] -> Box -> Gen [Corner]
+wallFrom segments box = do
+  begin <- elements segments >>= pointOf
+  middle <- choose (0, 2) >>= \n -> vectorOf n (inBox box)
+  end <- oneof [inBox box, elements segments >>= pointOf]
+  pure (begin : middle <> [end])
