@@ -35,7 +35,7 @@ runGraph common options = withScene common $ \scene ->
     let pairs = selectedPairs scene (pairSelection options) swept
     case lineOrder options of
       ByName -> printed (sortedGraphLines scene pairs)
-      AsSwept -> streamed (graphLines pairs)
+      AsSwept -> streamed (graphLines scene pairs)
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()

@@ -30,6 +30,7 @@ module Visibility.Scene
   , samePlace
   , placeNumbers
   , placeGroups
+  , hasSharedPlaces
   , isWallEnd
   , isSplitEnd
   , hasSplitEnds

@@ -138,10 +138,12 @@ freeBitangents scene vertex =
 -- /Cost/ O(1) where nothing touches; of a side, O(k) for k corners in the places of its ends.
 statedPairs :: Scene -> (CornerId, CornerId) -> [(CornerName, CornerName)]
 statedPairs scene (p, q)
+  | not (hasSharedPlaces scene) = [inOrder (cornerName scene p) (cornerName scene q)]
   | isSecondFace = []
-  | otherwise = [(min a b, max a b) | a <- namesHere scene p, b <- namesHere scene q]
+  | otherwise = [inOrder a b | a <- namesHere scene p, b <- namesHere scene q]
   where
     isSecondFace = or [(p', q') < (p, q) | joins p q, p' <- around p, q' <- besides p', samePlace scene q q', joins p' q']
+    inOrder a b = if a <= b then (a, b) else (b, a)
     joins a b = b `elem` besides a
     besides c = [nextCorner scene c, previousCorner scene c]
     around c = before c <> [c] <> after c

@@ -8,9 +8,9 @@ module Visibility.Format.Graph
   , sortedGraphLines
   ) where
 
-import Data.ByteString.Builder (Builder, byteString, char7, string7)
+import Data.ByteString.Builder (Builder, byteString, char7)
+import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
-import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
@@ -37,9 +37,12 @@ selectedPairs scene selection = concatMap (concatMap (statedPairs scene) . chose
 
 -- | A line per pair, in the order of the stream.
 --
--- /Cost/ O(1) per pair, in constant memory.
-graphLines :: [(CornerName, CornerName)] -> Builder
-graphLines = foldMap (\(a, b) -> string7 (cornerText a) <> char7 ' ' <> string7 (cornerText b) <> char7 '\n')
+-- /Cost/ O(1) per pair, in constant memory besides a table of names.
+graphLines :: Scene -> [(CornerName, CornerName)] -> Builder
+graphLines scene = foldMap (\(a, b) -> nameLine (text a) (text b))
+  where
+    names = namesOf scene
+    text name = nameTexts names V.! rankOf names name
 
 -- | The same lines, sorted by the names of both corners: polygon number, then corner number, the enclosure last.
 --
@@ -47,10 +50,26 @@ graphLines = foldMap (\(a, b) -> string7 (cornerText a) <> char7 ' ' <> string7 
 sortedGraphLines :: Scene -> [(CornerName, CornerName)] -> Builder
 sortedGraphLines scene pairs = foldMap line (U.toList sorted)
   where
-    names = V.fromList (map fst (statedCorners scene))
-    n = V.length names
-    texts = V.map (Char8.pack . cornerText) names
-    ranks = Map.fromDistinctAscList (zip (V.toList names) [0 ..])
-    rank name = Map.findWithDefault 0 name ranks
-    sorted = U.modify Intro.sort (U.fromList [rank a * n + rank b | (a, b) <- pairs])
-    line k = let (a, b) = k `quotRem` n in byteString (texts V.! a) <> char7 ' ' <> byteString (texts V.! b) <> char7 '\n'
+    names = namesOf scene
+    n = V.length (nameTexts names)
+    sorted = U.modify Intro.sort (U.fromList [rankOf names a * n + rankOf names b | (a, b) <- pairs])
+    line k = let (a, b) = k `quotRem` n in nameLine (nameTexts names V.! a) (nameTexts names V.! b)
+
+nameLine :: ByteString.ByteString -> ByteString.ByteString -> Builder
+nameLine a b = byteString a <> char7 ' ' <> byteString b <> char7 '\n'
+
+-- | The texts of all corners of the file, in order, and by polygon, the enclosure last, the rank of its corner 0.
+data Names = Names {nameTexts :: !(V.Vector ByteString.ByteString), firstRanks :: !(U.Vector Int)}
+
+namesOf :: Scene -> Names
+namesOf scene = Names (V.fromList (map (Char8.pack . cornerText . fst) (statedCorners scene))) (U.fromList (scanl (+) 0 sizes))
+  where
+    sizes = map (length . polygonPoints) (scenePolygons scene)
+
+-- | The rank of a corner among all. /Requires/ a corner of the scene. /Cost/ O(1).
+rankOf :: Names -> CornerName -> Int
+rankOf names (CornerName polygon k) = k + firstRanks names U.! place
+  where
+    place = case polygon of
+      Obstacle p -> p
+      Enclosure -> U.length (firstRanks names) - 2

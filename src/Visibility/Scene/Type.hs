@@ -28,6 +28,7 @@ module Visibility.Scene.Type
   , samePlace
   , placeNumbers
   , placeGroups
+  , hasSharedPlaces
   , isWallEnd
   , isSplitEnd
   , hasSplitEnds
@@ -91,6 +92,8 @@ data Scene = Scene
   -- ^ 'nextCorner' and 'previousCorner' of corner i at 2i and 2i+1: close together, as the sweep asks for both.
   , placeNumbers :: !(U.Vector Int32)
   -- ^ By corner, the number of its place in lexicographic order.
+  , hasSharedPlaces :: !Bool
+  -- ^ Are several corners in one place, of the file or of free space?
   , splitEnds :: !(U.Vector Bool)
   -- ^ By corner: see 'isSplitEnd'. Empty if there are none.
   , cornerNames :: !(V.Vector CornerName)
@@ -139,6 +142,7 @@ assemble title touching polygons boundary =
     , scenePoints = points
     , neighbourTable = neighbours
     , placeNumbers = places
+    , hasSharedPlaces = length byPlace /= n || Map.size namesAt /= V.length stated
     , splitEnds = if U.or split then split else U.empty
     , cornerNames = V.map freeName free
     , sideNames = V.map freeSide free

@@ -35,7 +35,7 @@ vertexCorners (Vertex a b rest) = a : b : rest
 -- /Cost/ O(1) for each.
 vertexPairs :: Scene -> Vertex -> [(CornerId, CornerId)]
 vertexPairs scene vertex@(Vertex a b rest)
-  | any (isSplitEnd scene) line = concat (zipWith (pairsBetween scene) groups (drop 1 groups))
+  | hasSplitEnds scene, any (isSplitEnd scene) line = concat (zipWith (pairsBetween scene) groups (drop 1 groups))
   | otherwise = (a, b) : zip (b : rest) rest
   where
     line = vertexCorners vertex
@@ -57,6 +57,7 @@ pairsBetween scene ps qs
 isDegenerate :: Scene -> Vertex -> Bool
 isDegenerate scene (Vertex a b rest) = case rest of
   [] -> False
+  _ | not (hasSplitEnds scene) -> True
   _ -> length (groupBy (samePlace scene) (a : b : rest)) > 2
 
 -- | The direction of the line, right-going. Not reduced: the displacement from the first corner to the last.
