@@ -34,7 +34,7 @@ module Visibility.Error
 import Data.Char (isAlpha, isAlphaNum, isAscii, isControl, ord)
 import Data.Foldable (toList)
 import Data.List (intercalate)
-import Data.List.NonEmpty (NonEmpty)
+import Data.List.NonEmpty (NonEmpty (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showHex)
@@ -103,7 +103,10 @@ data JsonPath = Root | Key !JsonPath !Text | Item !JsonPath !Int
 -- | Why a JSON value does not have the shape of its place in a scene.
 data ShapeFault
   = WrongKind !Found !Wanted
-  | MissingKey !Text !Wanted
+  | -- | Neither this key nor one of the others that would do.
+    MissingKey !(NonEmpty Text) !Wanted
+  | -- | Two keys of which only one may be given.
+    ClashingKeys !Text !Text
   | -- | With the keys that are allowed.
     UnknownKey !Text ![Text]
   | DuplicateKey !Text
@@ -127,6 +130,7 @@ data Wanted
   = WantedScene
   | WantedFormat
   | WantedString
+  | WantedEnclosure
   | WantedPolygon
   | WantedPolygons
   | WantedCorners
@@ -213,7 +217,10 @@ pathText path = case path of
 shapeText :: ShapeFault -> String
 shapeText fault = case fault of
   WrongKind found wanted -> "found " <> foundText found <> "; give " <> wantedText wanted
-  MissingKey key wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
+  MissingKey (key :| []) wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
+  MissingKey keys wanted ->
+    "has neither " <> intercalate " nor " (map quoted (toList keys)) <> "; give one of them, " <> wantedText wanted
+  ClashingKeys key other -> "has both " <> quoted key <> " and " <> quoted other <> "; give one of them"
   UnknownKey key allowed ->
     "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
@@ -246,6 +253,7 @@ wantedText wanted = case wanted of
   WantedScene -> "an object with the key \"polygons\""
   WantedFormat -> "\"viscomplex/1\""
   WantedString -> "a string"
+  WantedEnclosure -> "an object with the key \"corners\", or just the list of corners"
   WantedPolygon -> "an object with the key \"corners\" or \"wall\", or just the list of corners"
   WantedPolygons -> "a list of polygons"
   WantedCorners -> "a list of corners [x, y]"

@@ -80,7 +80,7 @@ data Kind
 data SyntaxKind = KUnexpected Expected | KControl | KSurrogate | KUtf8 | KDeep
   deriving (Eq, Ord, Show)
 
-data ShapeKind = KWrongKind Wanted | KMissing | KUnknown | KTwice | KSideKey | KNumber NumberFault
+data ShapeKind = KWrongKind Wanted | KMissing | KClash | KUnknown | KTwice | KSideKey | KNumber NumberFault
   deriving (Eq, Ord, Show)
 
 data SceneKind
@@ -109,7 +109,7 @@ allKinds :: [Kind]
 allKinds =
   map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KSurrogate, KUtf8, KDeep])
     <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
-    <> map Shape [KMissing, KUnknown, KTwice, KSideKey]
+    <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey]
     <> map
       Scene
       ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
@@ -140,6 +140,7 @@ shapeKind :: ShapeFault -> ShapeKind
 shapeKind fault = case fault of
   WrongKind _ wanted -> KWrongKind wanted
   MissingKey _ _ -> KMissing
+  ClashingKeys _ _ -> KClash
   UnknownKey _ _ -> KUnknown
   DuplicateKey _ -> KTwice
   BadSideKey _ -> KSideKey

@@ -35,6 +35,7 @@ spec = do
             , rawPolygons =
                 [ RawPolygon
                     (Just "lamp")
+                    Ring
                     (points [(1 % 3, 2), (1, 2), (1, 5 % 2)])
                     (Material 1 (1 % 2))
                     (Map.fromList [(2, MaterialOverride (Just 0) Nothing)])
@@ -44,6 +45,22 @@ spec = do
     it "reads numbers as the decimals they spell" $
       readScene "a" "{\"polygons\": [[[0.1, 1e-3], [-1.50E+2, \"7/2\"]]]}"
         `shouldBe` Right (RawScene Nothing Nothing [rawPolygon (points [(1 % 10, 1 % 1000), (-150, 7 % 2)])])
+    it "reads walls; two corners make one under either key" $
+      readScene
+        "a"
+        "{\"polygons\": [{\"wall\": [[0,0],[1,0],[1,1]], \"sides\": {\"3\": {\"emission\": 1}}},\
+        \ {\"wall\": [[2,0],[2,1]]}, {\"corners\": [[3,0],[3,1]]}, [[4,0],[4,1]], {\"wall\": [[5,0]]}]}"
+        `shouldBe` Right
+          ( RawScene
+              Nothing
+              Nothing
+              [ (wallOf [(0, 0), (1, 0), (1, 1)]) {rawSides = Map.fromList [(3, MaterialOverride (Just 1) Nothing)]}
+              , wallOf [(2, 0), (2, 1)]
+              , wallOf [(3, 0), (3, 1)]
+              , wallOf [(4, 0), (4, 1)]
+              , wallOf [(5, 0)]
+              ]
+          )
     it "reports every fault of shape, in order" $
       readScene "a" "{\"polygons\": [[[0, null], [1]], 7], \"x\": 0}"
         `shouldBe` Left
@@ -62,7 +79,7 @@ spec = do
           ( RawScene
               Nothing
               Nothing
-              [RawPolygon Nothing [] (Material (-1) 0) (Map.fromList [(-7, MaterialOverride Nothing Nothing)])]
+              [RawPolygon Nothing Ring [] (Material (-1) 0) (Map.fromList [(-7, MaterialOverride Nothing Nothing)])]
           )
   describe "sceneDocument" $ do
     prop "readScene file (bytes (sceneDocument raw)) == Right raw" $
@@ -82,6 +99,15 @@ spec = do
           \\"sides\": {\"2\": {\"emission\": 0}}},\n\
           \    [[4,4],[6,4],[5,6]]\n\
           \  ] }\n"
+    it "writes walls under their own key, but for those of two corners" $
+      written (RawScene Nothing Nothing (map wallOf [[], [(0, 0)], [(0, 0), (1, 0)], [(0, 0), (1, 0), (1, 1)]]))
+        `shouldBe` "{ \"format\": \"viscomplex/1\",\n\
+                   \  \"polygons\": [\n\
+                   \    {\"wall\": []},\n\
+                   \    {\"wall\": [[0,0]]},\n\
+                   \    [[0,0],[1,0]],\n\
+                   \    {\"wall\": [[0,0],[1,0],[1,1]]}\n\
+                   \  ] }\n"
   describe "readSceneFile" $ do
     it "reads a valid scene" $ withFile' "a.json" contract $ \path -> do
       outcome <- readSceneFile path
@@ -105,6 +131,7 @@ spec = do
   where
     asValue = Aeson.eitherDecodeStrict :: Bytes.ByteString -> Either String Aeson.Value
     polygons = Key Root "polygons"
+    wallOf corners = RawPolygon Nothing Polyline (points corners) black Map.empty
     withFile' name bytes act = withSystemTempDirectory "scenes" $ \dir -> do
       Bytes.writeFile (dir </> name) bytes
       act (dir </> name)
@@ -126,11 +153,16 @@ contract =
   \    [[4,4],[6,4],[5,6]]\n\
   \  ] }\n"
 
--- | Scenes as files may state them, most of them not valid.
+-- | Scenes as files may state them, most of them not valid. No file states a ring of two corners, or a wall as enclosure.
 rawScenes :: Gen RawScene
-rawScenes = RawScene <$> names <*> perhaps polygon <*> upTo 4 polygon
+rawScenes = RawScene <$> names <*> perhaps (described rawPolygon) <*> upTo 4 (oneof (map described [rawPolygon, rawWall]))
   where
-    polygon = RawPolygon <$> names <*> upTo 5 corner <*> (Material <$> numbers <*> numbers) <*> overrides
+    described made = do
+      polygon <- made <$> upTo 5 corner
+      name <- names
+      material <- Material <$> numbers <*> numbers
+      sides <- overrides
+      pure polygon {rawPolygonName = name, rawMaterial = material, rawSides = sides}
     corner = Point <$> numbers <*> numbers
     overrides = Map.fromList <$> upTo 3 ((,) <$> arbitrary <*> override)
     override = MaterialOverride <$> perhaps numbers <*> perhaps numbers

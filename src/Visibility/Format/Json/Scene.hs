@@ -11,11 +11,10 @@ import qualified Data.Aeson.Encoding as Encoding
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
-import Data.Foldable (traverse_)
+import Data.Foldable (toList, traverse_)
 import Data.List (intersperse)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -69,7 +68,7 @@ sceneAt path (Object members) =
     *> ( RawScene
           <$> traverse (uncurry stringAt) (member "name")
           <*> traverse (uncurry enclosureAt) (member "enclosure")
-          <*> maybe (wrong path (MissingKey "polygons" WantedPolygons)) (uncurry polygonsAt) (member "polygons")
+          <*> maybe (wrong path (MissingKey ("polygons" :| []) WantedPolygons)) (uncurry polygonsAt) (member "polygons")
        )
   where
     member = memberOf path members
@@ -89,32 +88,30 @@ polygonsAt path other = wrongKind path other WantedPolygons
 
 -- | An enclosure has corners only; an obstacle may be stated as a wall instead.
 enclosureAt, polygonAt :: JsonPath -> Document -> Checked RawPolygon
-enclosureAt = shapeAt ["corners"]
-polygonAt path document = case document of
-  Object members | Just _ <- lookup "wall" members -> shapeAt ["wall"] path document
-  Object members | Nothing <- lookup "corners" members -> shapeAt ["corners", "wall"] path document
-  _ -> shapeAt ["corners"] path document
+enclosureAt = shapeAt WantedEnclosure (("corners", rawPolygon) :| [])
+polygonAt = shapeAt WantedPolygon (("corners", rawPolygon) :| [("wall", rawWall)])
 
--- | A polygon whose corners are given under one of these keys.
-shapeAt :: [Text] -> JsonPath -> Document -> Checked RawPolygon
-shapeAt cornerKeys path document = case document of
+-- | A polygon that gives its corners under one of these keys, which say how they are joined; or a list of corners.
+shapeAt :: Wanted -> NonEmpty (Text, [Point] -> RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
+shapeAt wanted forms path document = case document of
   List _ -> rawPolygon <$> cornersAt path document
   Object members ->
     let member = memberOf path members
-        stated key = (,) (if key == "wall" then rawWall else rawPolygon) <$> member key
-     in checkedKeys path (["name"] <> cornerKeys <> ["emission", "reflectivity", "sides"]) members
+        given = [(key, made <$> cornersAt at corners) | (key, made) <- toList forms, Just (at, corners) <- [member key]]
+     in checkedKeys path (["name"] <> map fst (toList forms) <> ["emission", "reflectivity", "sides"]) members
           *> ( described
                 <$> traverse (uncurry stringAt) (member "name")
-                <*> case mapMaybe stated cornerKeys of
-                  (made, (at, corners)) : _ -> made <$> cornersAt at corners
-                  [] -> wrong path (MissingKey "corners" WantedCorners)
+                <*> case given of
+                  [] -> wrong path (MissingKey (fmap fst forms) WantedCorners)
+                  [(_, polygon)] -> polygon
+                  (key, polygon) : (other, polygon') : _ -> wrong path (ClashingKeys key other) *> polygon <* polygon'
                 <*> ( Material
                         <$> maybe (Good (emission black)) (uncurry numberAt) (member "emission")
                         <*> maybe (Good (reflectivity black)) (uncurry numberAt) (member "reflectivity")
                     )
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
-  _ -> wrongKind path document WantedPolygon
+  _ -> wrongKind path document wanted
   where
     described name polygon material overrides =
       polygon {rawPolygonName = name, rawMaterial = material, rawSides = overrides}
@@ -207,7 +204,10 @@ found document = case document of
 -- the same bytes for the same scene. Integers and decimals of up to 20 digits after the point are written as JSON
 -- numbers, other numbers as @"p/q"@.
 --
--- /Laws/ @readScene file (bytes (sceneDocument raw)) == Right raw@.
+-- /Degenerate cases/ no file can state a ring of two corners, which is read as a wall, nor a wall as the enclosure, which
+-- is refused. "Visibility.Scene.Raw" makes neither of a ring's corners.
+--
+-- /Laws/ of other scenes @readScene file (bytes (sceneDocument raw)) == Right raw@.
 sceneDocument :: RawScene -> Builder
 sceneDocument (RawScene name enclosure polygons) =
   "{ " <> commaSeparated ",\n  " (concat [format, title, room, [pair "polygons" obstacles]]) <> " }\n"
@@ -224,7 +224,10 @@ polygonDocument (RawPolygon name form corners material sides)
   | null others && key == "corners" = cornerList
   | otherwise = braces (title <> [pair key cornerList] <> drop (length title) others)
   where
-    key = if form == rawForm (rawPolygon corners) then "corners" else "wall"
+    -- Two corners make a wall under either key.
+    key = case form of
+      Polyline | length corners /= 2 -> "wall"
+      _ -> "corners"
     title = [pair "name" (textDocument text) | Just text <- [name]]
     others =
       title
