@@ -31,15 +31,10 @@ module Visibility.Error
   , problemsOutcome
   ) where
 
-import Data.Char (isAlpha, isAlphaNum, isAscii, isControl, ord)
 import Data.Foldable (toList)
-import Data.List (intercalate)
-import Data.List.NonEmpty (NonEmpty (..))
-import Data.Text (Text)
-import qualified Data.Text as Text
-import Numeric (showHex)
+import Data.List.NonEmpty (NonEmpty)
+import Visibility.Error.Parse
 import Visibility.Error.Scene
-import Visibility.Format.Number
 
 -- | Something wrong with an input file. The path is what the user called it.
 data Problem
@@ -56,99 +51,11 @@ data ReadFault
     ReadFailed !String
   deriving (Eq, Ord, Show)
 
--- | Why bytes are not the statement of a scene, true or false.
-data ParseError
-  = SyntaxError !TextPosition !SyntaxFault
-  | ShapeError !JsonPath !ShapeFault
-  | -- | A format that is not read yet.
-    FormatNotReadYet !Format
-  deriving (Eq, Ord, Show)
-
--- | Line and column, both from 1; a column is a character, not a byte.
-data TextPosition = TextPosition !Int !Int
-  deriving (Eq, Ord, Show)
-
--- | Why a text is not JSON.
-data SyntaxFault
-  = -- | The character found, nothing at the end of the text.
-    Unexpected !(Maybe Char) !Expected
-  | ControlCharacter !Char
-  | UnpairedSurrogate
-  | InvalidUtf8
-  | -- | More brackets open than this.
-    TooDeep !Int
-  deriving (Eq, Ord, Show)
-
--- | What JSON allows at a place.
-data Expected
-  = AValue
-  | AKey
-  | AKeyOrClosingBrace
-  | AColon
-  | CommaOrClosingBrace
-  | CommaOrClosingBracket
-  | ADigit
-  | -- | After a leading zero.
-    NoDigit
-  | ClosingQuote
-  | AnEscape
-  | AHexDigit
-  | TheEnd
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | Where in a JSON document.
-data JsonPath = Root | Key !JsonPath !Text | Item !JsonPath !Int
-  deriving (Eq, Ord, Show)
-
--- | Why a JSON value does not have the shape of its place in a scene.
-data ShapeFault
-  = WrongKind !Found !Wanted
-  | -- | Neither this key nor one of the others that would do.
-    MissingKey !(NonEmpty Text) !Wanted
-  | -- | Two keys of which only one may be given.
-    ClashingKeys !Text !Text
-  | -- | With the keys that are allowed.
-    UnknownKey !Text ![Text]
-  | DuplicateKey !Text
-  | -- | A key of @sides@ that is no side number.
-    BadSideKey !Text
-  | BadNumber !Found !NumberFault
-  deriving (Eq, Ord, Show)
-
--- | A JSON value, as far as a message repeats it. A number is kept as it is spelled.
-data Found
-  = FoundNull
-  | FoundBoolean !Bool
-  | FoundNumber !Text
-  | FoundString !Text
-  | FoundList !Int
-  | FoundObject
-  deriving (Eq, Ord, Show)
-
--- | What belongs in a place of a scene.
-data Wanted
-  = WantedScene
-  | WantedFormat
-  | WantedString
-  | WantedEnclosure
-  | WantedPolygon
-  | WantedPolygons
-  | WantedCorners
-  | WantedCorner
-  | WantedNumber
-  | WantedSides
-  | WantedMaterial
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | Formats other than JSON.
-data Format = GeoJson | Wkt
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
 -- | One line without its end.
 errorText :: Problem -> String
 errorText problem = case problem of
   UnreadableFile file fault -> file <> ": " <> readText fault
-  UnparseableFile file fault -> file <> ": " <> parseText fault
+  UnparseableFile file fault -> file <> ": " <> parseErrorText fault
   InvalidScene file fault -> file <> ": " <> sceneErrorText fault
 
 readText :: ReadFault -> String
@@ -156,125 +63,6 @@ readText fault = case fault of
   NoSuchFile -> "there is no such file; give the path of a scene, or - for standard input"
   NotPermitted -> "may not be read; give yourself permission to read it"
   ReadFailed reason -> "cannot be read (" <> reason <> "); give the path of a scene, or - for standard input"
-
-parseText :: ParseError -> String
-parseText fault = case fault of
-  SyntaxError (TextPosition line column) why ->
-    "line " <> show line <> ", column " <> show column <> ": " <> syntaxText why
-  ShapeError path why -> pathText path <> ": " <> shapeText why
-  FormatNotReadYet format -> formatText format <> " is not read yet; give the scene as JSON"
-
-formatText :: Format -> String
-formatText GeoJson = "GeoJSON"
-formatText Wkt = "WKT"
-
-syntaxText :: SyntaxFault -> String
-syntaxText fault = case fault of
-  Unexpected found expected ->
-    "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
-  ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
-  UnpairedSurrogate -> "half of a surrogate pair; give both halves, or the character itself"
-  InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
-  TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than five"
-
-characterText :: Char -> String
-characterText c
-  | isControl c = "the character U+" <> codeText c
-  | otherwise = ['\'', c, '\'']
-
-codeText :: Char -> String
-codeText c = replicate (4 - length digits) '0' <> digits
-  where
-    digits = showHex (ord c) ""
-
-expectedText :: Expected -> String
-expectedText expected = case expected of
-  AValue -> "a value belongs here"
-  AKey -> "a key in double quotes belongs here"
-  AKeyOrClosingBrace -> "a key in double quotes or } belongs here"
-  AColon -> ": belongs here"
-  CommaOrClosingBrace -> ", or } belongs here"
-  CommaOrClosingBracket -> ", or ] belongs here"
-  ADigit -> "a digit belongs here"
-  NoDigit -> "leave out the zero that the number begins with"
-  ClosingQuote -> "a closing \" belongs here"
-  AnEscape -> "one of \" \\ / b f n r t u belongs here"
-  AHexDigit -> "four hexadecimal digits belong here"
-  TheEnd -> "nothing may follow the scene"
-
--- | @$.polygons[2].corners[0]@; a key that is no plain word stands in brackets and quotes.
-pathText :: JsonPath -> String
-pathText path = case path of
-  Root -> "$"
-  Item above k -> pathText above <> "[" <> show k <> "]"
-  Key above key
-    | isWord (Text.unpack key) -> pathText above <> "." <> Text.unpack key
-    | otherwise -> pathText above <> "[" <> quoted key <> "]"
-  where
-    isWord (c : cs) = isAscii c && isAlpha c && all (\x -> isAscii x && isAlphaNum x) cs
-    isWord [] = False
-
-shapeText :: ShapeFault -> String
-shapeText fault = case fault of
-  WrongKind found wanted -> "found " <> foundText found <> "; give " <> wantedText wanted
-  MissingKey (key :| []) wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
-  MissingKey keys wanted ->
-    "has neither " <> intercalate " nor " (map quoted (toList keys)) <> "; give one of them, " <> wantedText wanted
-  ClashingKeys key other -> "has both " <> quoted key <> " and " <> quoted other <> "; give one of them"
-  UnknownKey key allowed ->
-    "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
-  DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
-  BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
-  BadNumber found why -> foundText found <> numberFaultText why
-
--- | What is wrong with a number and what would be right, to follow its text.
-numberFaultText :: NumberFault -> String
-numberFaultText why = case why of
-  NotANumber -> " is not a number; give " <> wantedText WantedNumber
-  ZeroDenominator -> " has the denominator 0; give a denominator of 1 or more"
-  ExponentTooLarge ->
-    let limit = show exponentLimit
-     in " has too large an exponent; give one from -" <> limit <> " to " <> limit
-
-foundText :: Found -> String
-foundText found = case found of
-  FoundNull -> "null"
-  FoundBoolean True -> "true"
-  FoundBoolean False -> "false"
-  FoundNumber spelled -> Text.unpack (shortened spelled)
-  FoundString text -> quoted text
-  FoundList 0 -> "an empty list"
-  FoundList 1 -> "a list of 1 element"
-  FoundList n -> "a list of " <> show n <> " elements"
-  FoundObject -> "an object"
-
-wantedText :: Wanted -> String
-wantedText wanted = case wanted of
-  WantedScene -> "an object with the key \"polygons\""
-  WantedFormat -> "\"viscomplex/1\""
-  WantedString -> "a string"
-  WantedEnclosure -> "an object with the key \"corners\", or just the list of corners"
-  WantedPolygon -> "an object with the key \"corners\" or \"wall\", or just the list of corners"
-  WantedPolygons -> "a list of polygons"
-  WantedCorners -> "a list of corners [x, y]"
-  WantedCorner -> "a list of two numbers [x, y]"
-  WantedNumber -> "a number such as 2, -0.5 or 1e-3, or a string such as \"1/3\", \"-2.5\" or \"7\""
-  WantedSides -> "an object with side numbers as keys"
-  WantedMaterial -> "an object with the keys \"emission\", \"reflectivity\" or both"
-
--- In double quotes, on one line, of a length that can be read.
-quoted :: Text -> String
-quoted text = "\"" <> concatMap escaped (Text.unpack (shortened text)) <> "\""
-  where
-    escaped c
-      | c == '"' || c == '\\' = ['\\', c]
-      | isControl c = "\\u" <> codeText c
-      | otherwise = [c]
-
-shortened :: Text -> Text
-shortened text
-  | Text.compareLength text 60 == GT = Text.take 40 text <> Text.pack "..."
-  | otherwise = text
 
 -- | How a run ends.
 data Outcome

@@ -11,17 +11,17 @@ import qualified Data.Aeson.Encoding as Encoding
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
-import Data.Foldable (toList, traverse_)
+import Data.Foldable (toList)
 import Data.List (intersperse)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
-import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Text.Read (readMaybe)
 import Visibility.Error
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Rounding (rationalText)
+import Visibility.Format.Json.Shape
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Number
 import Visibility.Scene.Raw
@@ -35,31 +35,9 @@ import Visibility.Scene.Raw
 --
 -- /Laws/ @readScene file (bytes (sceneDocument raw)) == Right raw@.
 readScene :: FilePath -> ByteString -> Either (NonEmpty Problem) RawScene
-readScene file bytes = case parseDocument bytes of
-  Left (position, fault) -> Left (UnparseableFile file (SyntaxError position fault) :| [])
-  Right document -> case sceneAt Root document of
-    Wrong faults -> Left (fmap (UnparseableFile file) faults)
-    Good raw -> Right raw
+readScene = readDocument sceneAt
 
 -- Reading ---------------------------------------------------------------------------------------------------------
-
--- | A value or all the faults that prevent it.
-data Checked a = Wrong (NonEmpty ParseError) | Good a
-
-instance Functor Checked where
-  fmap _ (Wrong faults) = Wrong faults
-  fmap f (Good a) = Good (f a)
-
--- | Collects the faults of both sides, in order.
-instance Applicative Checked where
-  pure = Good
-  Good f <*> Good a = Good (f a)
-  Wrong faults <*> Wrong faults' = Wrong (faults <> faults')
-  Wrong faults <*> Good _ = Wrong faults
-  Good _ <*> Wrong faults = Wrong faults
-
-wrong :: JsonPath -> ShapeFault -> Checked a
-wrong path fault = Wrong (ShapeError path fault :| [])
 
 sceneAt :: JsonPath -> Document -> Checked RawScene
 sceneAt path (Object members) =
@@ -77,10 +55,6 @@ sceneAt path other = wrongKind path other WantedScene
 formatAt :: JsonPath -> Document -> Checked ()
 formatAt _ (String "viscomplex/1") = Good ()
 formatAt path other = wrongKind path other WantedFormat
-
-stringAt :: JsonPath -> Document -> Checked Text
-stringAt _ (String text) = Good text
-stringAt path other = wrongKind path other WantedString
 
 polygonsAt :: JsonPath -> Document -> Checked [RawPolygon]
 polygonsAt path (List items) = eachItem polygonAt path items
@@ -147,56 +121,6 @@ overrideAt path (Object members) =
   where
     member = memberOf path members
 overrideAt path other = wrongKind path other WantedMaterial
-
-numberAt :: JsonPath -> Document -> Checked Rational
-numberAt path document = case document of
-  Number spelled -> number spelled
-  String text -> number text
-  _ -> wrongKind path document WantedNumber
-  where
-    number = either (wrong path . BadNumber (found document)) Good . readNumber
-
-eachItem :: (JsonPath -> Document -> Checked a) -> JsonPath -> [Document] -> Checked [a]
-eachItem itemAt path items = traverse (\(k, item) -> itemAt (Item path k) item) (zip [0 ..] items)
-
-memberOf :: JsonPath -> [(Text, Document)] -> Text -> Maybe (JsonPath, Document)
-memberOf path members key = (,) (Key path key) <$> lookup key members
-
--- Every key is allowed and given once.
-checkedKeys :: JsonPath -> [Text] -> [(Text, Document)] -> Checked ()
-checkedKeys path allowed members =
-  checkedTwins path members *> traverse_ (\key -> wrong path (UnknownKey key allowed)) unknown
-  where
-    unknown = distinct (filter (`notElem` allowed) (map fst members))
-
-checkedTwins :: JsonPath -> [(Text, Document)] -> Checked ()
-checkedTwins path members = traverse_ (wrong path . DuplicateKey) (distinct (repeated Set.empty (map fst members)))
-  where
-    repeated _ [] = []
-    repeated seen (key : keys)
-      | key `Set.member` seen = key : repeated seen keys
-      | otherwise = repeated (Set.insert key seen) keys
-
--- In the order of their first appearance.
-distinct :: [Text] -> [Text]
-distinct = go Set.empty
-  where
-    go _ [] = []
-    go seen (key : keys)
-      | key `Set.member` seen = go seen keys
-      | otherwise = key : go (Set.insert key seen) keys
-
-wrongKind :: JsonPath -> Document -> Wanted -> Checked a
-wrongKind path document wanted = wrong path (WrongKind (found document) wanted)
-
-found :: Document -> Found
-found document = case document of
-  Null -> FoundNull
-  Boolean b -> FoundBoolean b
-  Number spelled -> FoundNumber spelled
-  String text -> FoundString text
-  List items -> FoundList (length items)
-  Object _ -> FoundObject
 
 -- Writing ---------------------------------------------------------------------------------------------------------
 

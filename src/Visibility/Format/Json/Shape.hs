@@ -1,0 +1,118 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Values of a JSON document that have the shape of their place, or all the faults that prevent it.
+module Visibility.Format.Json.Shape
+  ( -- * Values and faults
+    Checked (..)
+  , readDocument
+  , wrong
+  , wrongKind
+  , found
+    -- * Values
+  , stringAt
+  , numberAt
+  , eachItem
+    -- * Members
+  , memberOf
+  , checkedKeys
+  , checkedTwins
+  ) where
+
+import Data.ByteString (ByteString)
+import Data.Foldable (traverse_)
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.Set as Set
+import Data.Text (Text)
+import Visibility.Error
+import Visibility.Format.Json.Syntax
+import Visibility.Format.Number
+
+-- | A value or all the faults that prevent it.
+data Checked a = Wrong (NonEmpty ParseError) | Good a
+
+instance Functor Checked where
+  fmap _ (Wrong faults) = Wrong faults
+  fmap f (Good a) = Good (f a)
+
+-- | Collects the faults of both sides, in order.
+instance Applicative Checked where
+  pure = Good
+  Good f <*> Good a = Good (f a)
+  Wrong faults <*> Wrong faults' = Wrong (faults <> faults')
+  Wrong faults <*> Good _ = Wrong faults
+  Good _ <*> Wrong faults = Wrong faults
+
+-- | What the text of a file says, by the shape of its document; the path is only what the file is called in problems.
+--
+-- /Degenerate cases/ of a text that is not JSON, the first fault; else every fault of shape.
+readDocument :: (JsonPath -> Document -> Checked a) -> FilePath -> ByteString -> Either (NonEmpty Problem) a
+readDocument shapeAt file bytes = case parseDocument bytes of
+  Left (position, fault) -> Left (UnparseableFile file (SyntaxError position fault) :| [])
+  Right document -> case shapeAt Root document of
+    Wrong faults -> Left (fmap (UnparseableFile file) faults)
+    Good a -> Right a
+
+-- | One fault.
+wrong :: JsonPath -> ShapeFault -> Checked a
+wrong path fault = Wrong (ShapeError path fault :| [])
+
+-- | The value found is not of the kind wanted.
+wrongKind :: JsonPath -> Document -> Wanted -> Checked a
+wrongKind path document wanted = wrong path (WrongKind (found document) wanted)
+
+-- | What messages call a value.
+found :: Document -> Found
+found document = case document of
+  Null -> FoundNull
+  Boolean b -> FoundBoolean b
+  Number spelled -> FoundNumber spelled
+  String text -> FoundString text
+  List items -> FoundList (length items)
+  Object _ -> FoundObject
+
+-- | A string.
+stringAt :: JsonPath -> Document -> Checked Text
+stringAt _ (String text) = Good text
+stringAt path other = wrongKind path other WantedString
+
+-- | A number as it is spelled, or a string that spells one.
+numberAt :: JsonPath -> Document -> Checked Rational
+numberAt path document = case document of
+  Number spelled -> number spelled
+  String text -> number text
+  _ -> wrongKind path document WantedNumber
+  where
+    number = either (wrong path . BadNumber (found document)) Good . readNumber
+
+-- | All items of a list, whose path is given.
+eachItem :: (JsonPath -> Document -> Checked a) -> JsonPath -> [Document] -> Checked [a]
+eachItem itemAt path items = traverse (\(k, item) -> itemAt (Item path k) item) (zip [0 ..] items)
+
+-- | A member of the object at the path, with its own path. Of several, the first.
+memberOf :: JsonPath -> [(Text, Document)] -> Text -> Maybe (JsonPath, Document)
+memberOf path members key = (,) (Key path key) <$> lookup key members
+
+-- | Every key is allowed and given once.
+checkedKeys :: JsonPath -> [Text] -> [(Text, Document)] -> Checked ()
+checkedKeys path allowed members =
+  checkedTwins path members *> traverse_ (\key -> wrong path (UnknownKey key allowed)) unknown
+  where
+    unknown = distinct (filter (`notElem` allowed) (map fst members))
+
+-- | Every key is given once.
+checkedTwins :: JsonPath -> [(Text, Document)] -> Checked ()
+checkedTwins path members = traverse_ (wrong path . DuplicateKey) (distinct (repeated Set.empty (map fst members)))
+  where
+    repeated _ [] = []
+    repeated seen (key : keys)
+      | key `Set.member` seen = key : repeated seen keys
+      | otherwise = repeated (Set.insert key seen) keys
+
+-- In the order of their first appearance.
+distinct :: [Text] -> [Text]
+distinct = go Set.empty
+  where
+    go _ [] = []
+    go seen (key : keys)
+      | key `Set.member` seen = go seen keys
+      | otherwise = key : go (Set.insert key seen) keys
