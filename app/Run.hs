@@ -30,7 +30,8 @@ import System.IO (BufferMode (..), Handle, hFlush, hSetBinaryMode, hSetBuffering
 import System.IO.Error (ioeGetErrorString, ioeGetErrorType, isResourceVanishedErrorType, tryIOError)
 import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
-import Visibility.Format.Json (readRawSceneFile, sceneDocument)
+import Visibility.Format.File (readRawSceneFile)
+import Visibility.Format.Json (sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep (Vertex, verticesBy)

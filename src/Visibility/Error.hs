@@ -16,9 +16,9 @@ module Visibility.Error
   , Expected (..)
   , JsonPath (..)
   , ShapeFault (..)
+  , OutlineFault (..)
   , Found (..)
   , Wanted (..)
-  , Format (..)
     -- ** It states no valid scene
   , SceneError (..)
   , MaterialPlace (..)

@@ -13,7 +13,7 @@ import System.Directory (listDirectory)
 import System.FilePath (replaceExtension, takeExtension, (</>))
 import Test.Hspec
 import Visibility.Error
-import Visibility.Format.Json
+import Visibility.Format.File (readSceneBytes)
 import Visibility.Format.Number
 import Visibility.Scene.Id
 import Visibility.Scene.Validate
@@ -25,7 +25,7 @@ spec :: Spec
 spec = do
   describe "golden messages: each scene in test/golden/errors has the problems in the file beside it" $ do
     files <- runIO (listDirectory folder)
-    let scenes = sort (filter ((== ".json") . takeExtension) files)
+    let scenes = sort (filter ((`elem` [".json", ".geojson", ".wkt"]) . takeExtension) files)
     for_ scenes $ \file -> it file $ do
       outcome <- problemsOf file
       expected <- Bytes.readFile (folder </> replaceExtension file ".txt")
@@ -33,7 +33,7 @@ spec = do
         [] -> expectationFailure "the scene is valid"
         p : ps -> report (p :| ps) `shouldBe` Text.unpack (Text.decodeUtf8 expected)
     it "has no expectation without a scene" $
-      sort (filter ((== ".txt") . takeExtension) files) `shouldBe` map (`replaceExtension` ".txt") scenes
+      sort (filter ((== ".txt") . takeExtension) files) `shouldBe` sort (map (`replaceExtension` ".txt") scenes)
     it "shows every kind of problem" $ do
       problems <- concat <$> forM scenes problemsOf
       Set.fromList (concatMap kinds problems) `shouldBe` Set.fromList allKinds
@@ -45,17 +45,12 @@ spec = do
         `shouldBe` "a.json: may not be read; give yourself permission to read it"
       errorText (UnreadableFile "a" (ReadFailed "is a directory"))
         `shouldBe` "a: cannot be read (is a directory); give the path of a scene, or - for standard input"
-    it "names formats to come" $ do
-      errorText (UnparseableFile "a.wkt" (FormatNotReadYet Wkt))
-        `shouldBe` "a.wkt: WKT is not read yet; give the scene as JSON"
-      errorText (UnparseableFile "a.geojson" (FormatNotReadYet GeoJson))
-        `shouldBe` "a.geojson: GeoJSON is not read yet; give the scene as JSON"
   describe "exit codes" $ do
     it "are those of the contract" $
       map exitNumber [minBound .. maxBound] `shouldBe` [0, 1, 2, 3, 4, 5, 70]
     it "of several problems, the earliest failure counts" $ do
       let invalid = InvalidScene "a" EmptyScene
-          unparseable = UnparseableFile "b" (FormatNotReadYet Wkt)
+          unparseable = UnparseableFile "b" (SyntaxError (TextPosition 1 1) InvalidUtf8)
           unreadable = UnreadableFile "c" NoSuchFile
       map (exitNumber . problemOutcome) [unreadable, unparseable, invalid] `shouldBe` [2, 3, 4]
       problemsOutcome (invalid :| [unparseable]) `shouldBe` UnparseableInput
@@ -64,7 +59,7 @@ spec = do
 problemsOf :: FilePath -> IO [Problem]
 problemsOf file = do
   bytes <- Bytes.readFile (folder </> file)
-  pure (either toList (const []) (readScene file bytes >>= first (fmap (InvalidScene file)) . validate))
+  pure (either toList (const []) (readSceneBytes file bytes >>= first (fmap (InvalidScene file)) . validate))
 
 report :: NonEmpty Problem -> String
 report problems =
@@ -80,8 +75,22 @@ data Kind
 data SyntaxKind = KUnexpected Expected | KControl | KSurrogate | KUtf8 | KDeep
   deriving (Eq, Ord, Show)
 
-data ShapeKind = KWrongKind Wanted | KMissing | KClash | KUnknown | KTwice | KSideKey | KNumber NumberFault
+data ShapeKind
+  = KWrongKind Wanted
+  | KMissing
+  | KClash
+  | KUnknown
+  | KTwice
+  | KSideKey
+  | KNumber NumberFault
+  | KOutline OutlineKind
+  | KEnclosureHole
+  | KEnclosureWall
+  | KSecondEnclosure
   deriving (Eq, Ord, Show)
+
+data OutlineKind = KOpenRing | KShortRing | KShortLine | KHole
+  deriving (Eq, Ord, Show, Enum, Bounded)
 
 data SceneKind
   = KEmpty
@@ -109,7 +118,8 @@ allKinds :: [Kind]
 allKinds =
   map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KSurrogate, KUtf8, KDeep])
     <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
-    <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey]
+    <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey, KEnclosureHole, KEnclosureWall, KSecondEnclosure]
+    <> map (Shape . KOutline) [minBound .. maxBound]
     <> map
       Scene
       ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
@@ -123,7 +133,6 @@ allKinds =
 kinds :: Problem -> [Kind]
 kinds problem = case problem of
   UnreadableFile _ _ -> []
-  UnparseableFile _ (FormatNotReadYet _) -> []
   UnparseableFile _ (SyntaxError _ fault) -> [Syntax (syntaxKind fault)]
   UnparseableFile _ (ShapeError _ fault) -> [Shape (shapeKind fault)]
   InvalidScene _ fault -> [Scene (sceneKind fault)]
@@ -145,6 +154,17 @@ shapeKind fault = case fault of
   DuplicateKey _ -> KTwice
   BadSideKey _ -> KSideKey
   BadNumber _ why -> KNumber why
+  BadOutline why -> KOutline (outlineKind why)
+  EnclosureHole -> KEnclosureHole
+  EnclosureWall -> KEnclosureWall
+  SecondEnclosure _ -> KSecondEnclosure
+
+outlineKind :: OutlineFault -> OutlineKind
+outlineKind fault = case fault of
+  OpenRing _ _ -> KOpenRing
+  ShortRing _ -> KShortRing
+  ShortLine _ -> KShortLine
+  Hole -> KHole
 
 sceneKind :: SceneError -> SceneKind
 sceneKind fault = case fault of

@@ -15,7 +15,7 @@ import Test.QuickCheck hiding (Positive, sample)
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding (nearestDouble)
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Raw

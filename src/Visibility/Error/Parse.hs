@@ -6,9 +6,9 @@ module Visibility.Error.Parse
   , Expected (..)
   , JsonPath (..)
   , ShapeFault (..)
+  , OutlineFault (..)
   , Found (..)
   , Wanted (..)
-  , Format (..)
   , parseErrorText
   , numberFaultText
   ) where
@@ -20,14 +20,13 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showHex)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Format.Number
 
 -- | Why bytes are not the statement of a scene, true or false.
 data ParseError
   = SyntaxError !TextPosition !SyntaxFault
   | ShapeError !JsonPath !ShapeFault
-  | -- | A format that is not read yet.
-    FormatNotReadYet !Format
   deriving (Eq, Ord, Show)
 
 -- | Line and column, both from 1; a column is a character, not a byte.
@@ -79,6 +78,25 @@ data ShapeFault
   | -- | A key of @sides@ that is no side number.
     BadSideKey !Text
   | BadNumber !Found !NumberFault
+  | BadOutline !OutlineFault
+  | -- | A ring within the enclosure's outer one.
+    EnclosureHole
+  | -- | A line given as the enclosure.
+    EnclosureWall
+  | -- | With the place of the first.
+    SecondEnclosure !JsonPath
+  deriving (Eq, Ord, Show)
+
+-- | Why the positions of a ring or a line, as GeoJSON and WKT give them, are not an outline of a polygon.
+data OutlineFault
+  = -- | The last position is not the first: the first and the last.
+    OpenRing !Point !Point
+  | -- | So few positions that, the last left out, there are not three.
+    ShortRing !Int
+  | -- | With the number of positions, 0 or 1.
+    ShortLine !Int
+  | -- | A ring within a polygon's outer one.
+    Hole
   deriving (Eq, Ord, Show)
 
 -- | A JSON value, as far as a message repeats it. A number is kept as it is spelled.
@@ -104,10 +122,22 @@ data Wanted
   | WantedNumber
   | WantedSides
   | WantedMaterial
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | Formats other than JSON.
-data Format = GeoJson | Wkt
+  | -- | From here on, what belongs in GeoJSON.
+    WantedGeoJson
+  | WantedGeoJsonType
+  | WantedFeatures
+  | WantedFeature
+  | WantedFeatureType
+  | WantedProperties
+  | WantedRole
+  | WantedGeometry
+  | WantedGeometryType
+  | WantedGeometries
+  | WantedPolygonRings
+  | WantedRings
+  | WantedLines
+  | WantedPositions
+  | WantedPosition
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The text of an error without the file, one line.
@@ -116,11 +146,6 @@ parseErrorText fault = case fault of
   SyntaxError (TextPosition line column) why ->
     "line " <> show line <> ", column " <> show column <> ": " <> syntaxText why
   ShapeError path why -> pathText path <> ": " <> shapeText why
-  FormatNotReadYet format -> formatText format <> " is not read yet; give the scene as JSON"
-
-formatText :: Format -> String
-formatText GeoJson = "GeoJSON"
-formatText Wkt = "WKT"
 
 syntaxText :: SyntaxFault -> String
 syntaxText fault = case fault of
@@ -129,7 +154,7 @@ syntaxText fault = case fault of
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
   UnpairedSurrogate -> "half of a surrogate pair; give both halves, or the character itself"
   InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
-  TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than five"
+  TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than ten"
 
 characterText :: Char -> String
 characterText c
@@ -179,12 +204,33 @@ shapeText fault = case fault of
     "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
+  BadNumber found NotANumber -> foundText found <> " is not a number; give " <> wantedText WantedNumber
   BadNumber found why -> foundText found <> numberFaultText why
+  BadOutline why -> outlineText why
+  EnclosureHole -> "is a hole of the enclosure; leave it out, and give what stands there as a polygon of its own"
+  EnclosureWall -> "is a line and cannot be the enclosure; give a Polygon"
+  SecondEnclosure first ->
+    "is a second enclosure beside " <> pathText first <> "; leave out the \"role\" of one of them"
+
+outlineText :: OutlineFault -> String
+outlineText fault = case fault of
+  OpenRing first end ->
+    "the ring begins at " <> pointText first <> " and ends at " <> pointText end
+      <> "; repeat its first position as the last"
+  ShortRing n ->
+    "the ring has " <> positions n
+      <> "; give four or more, the last the same as the first, or a line of two for a thin wall"
+  ShortLine n -> "the line has " <> positions n <> "; give two or more"
+  Hole -> "is a hole, and the polygons of a scene are solid; leave it out, or cut the polygon into some without holes"
+  where
+    positions 1 = "1 position"
+    positions n = show n <> " positions"
+    pointText (Point x y) = "(" <> numberText x <> ", " <> numberText y <> ")"
 
 -- | What is wrong with a number and what would be right, to follow its text.
 numberFaultText :: NumberFault -> String
 numberFaultText why = case why of
-  NotANumber -> " is not a number; give " <> wantedText WantedNumber
+  NotANumber -> " is not a number; give one such as 2, -0.5, 1e-3 or 1/3"
   ZeroDenominator -> " has the denominator 0; give a denominator of 1 or more"
   ExponentTooLarge ->
     let limit = show exponentLimit
@@ -215,6 +261,24 @@ wantedText wanted = case wanted of
   WantedNumber -> "a number such as 2, -0.5 or 1e-3, or a string such as \"1/3\", \"-2.5\" or \"7\""
   WantedSides -> "an object with side numbers as keys"
   WantedMaterial -> "an object with the keys \"emission\", \"reflectivity\" or both"
+  WantedGeoJson -> "an object with a \"type\": a FeatureCollection, a Feature or a geometry"
+  WantedGeoJsonType -> "\"FeatureCollection\", \"Feature\", " <> geometryTypes
+  WantedFeatures -> "a list of features"
+  WantedFeature -> "an object of the type \"Feature\""
+  WantedFeatureType -> "\"Feature\""
+  WantedProperties -> "an object or null"
+  WantedRole -> "\"enclosure\", or leave it out"
+  WantedGeometry -> "an object of the type " <> geometryTypes
+  WantedGeometryType -> geometryTypes
+  WantedGeometries -> "a list of geometries"
+  WantedPolygonRings -> "a list of polygons, each a list of rings of positions [x, y]"
+  WantedRings -> "a list of rings, each a list of positions [x, y]"
+  WantedLines -> "a list of lines, each a list of positions [x, y]"
+  WantedPositions -> "a list of positions [x, y]"
+  WantedPosition -> "a list of two numbers [x, y], or more of which these two count"
+  where
+    geometryTypes =
+      "\"Polygon\", \"MultiPolygon\", \"LineString\", \"MultiLineString\" or \"GeometryCollection\""
 
 -- In double quotes, on one line, of a length that can be read.
 quoted :: Text -> String

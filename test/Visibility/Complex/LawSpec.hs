@@ -17,7 +17,7 @@ import Visibility.Complex.Type
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Predicate
 import Visibility.Exact.RootSum (fromTerms)
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.Law
 import Visibility.Ray
 import Visibility.Scene

@@ -14,7 +14,7 @@ import Visibility.Complex.Quotient
 import Visibility.Complex.Type
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.Law
 import Visibility.Scene
 import Visibility.Scene.Raw

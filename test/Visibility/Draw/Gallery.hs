@@ -23,7 +23,7 @@ import Test.Hspec
 import Test.QuickCheck
 import Visibility.Draw.Drawing
 import Visibility.Exact.Point
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.Exact.Predicate (reversed)
 import Visibility.Scene
 import Visibility.Scene.Raw

@@ -11,7 +11,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Complex
 import Visibility.Format.Complex
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.Scene (cornerCount)
 import Visibility.Sweep
 import Visibility.Test.Generator

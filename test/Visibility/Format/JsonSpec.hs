@@ -10,16 +10,13 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
-import qualified Data.Text as Text
-import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
 import Visibility.Error
 import Visibility.Exact.Point (Point (..))
 import Visibility.Format.Json
-import Visibility.Scene (cornerCount)
+import Visibility.Format.Sample
 import Visibility.Scene.Raw
 
 spec :: Spec
@@ -108,33 +105,10 @@ spec = do
                    \    [[0,0],[1,0]],\n\
                    \    {\"wall\": [[0,0],[1,0],[1,1]]}\n\
                    \  ] }\n"
-  describe "readSceneFile" $ do
-    it "reads a valid scene" $ withFile' "a.json" contract $ \path -> do
-      outcome <- readSceneFile path
-      fmap cornerCount outcome `shouldBe` Right 10
-    it "reports an invalid scene under the file's name" $ withFile' "a.json" "{\"polygons\": []}" $ \path -> do
-      outcome <- readSceneFile path
-      fmap cornerCount outcome `shouldBe` Left (InvalidScene path EmptyScene :| [])
-    it "reports a missing file" $ withSystemTempDirectory "scenes" $ \dir -> do
-      outcome <- readSceneFile (dir </> "none.json")
-      fmap cornerCount outcome `shouldBe` Left (UnreadableFile (dir </> "none.json") NoSuchFile :| [])
-    it "reports a folder" $ withSystemTempDirectory "scenes" $ \dir -> do
-      outcome <- readSceneFile dir
-      case fmap cornerCount outcome of
-        Left (UnreadableFile path (ReadFailed _) :| []) -> path `shouldBe` dir
-        other -> expectationFailure (show other)
-    it "knows the formats that are not read yet by their endings" $ do
-      wkt <- readSceneFile "a.wkt"
-      fmap cornerCount wkt `shouldBe` Left (UnparseableFile "a.wkt" (FormatNotReadYet Wkt) :| [])
-      geo <- readSceneFile "a.GeoJSON"
-      fmap cornerCount geo `shouldBe` Left (UnparseableFile "a.GeoJSON" (FormatNotReadYet GeoJson) :| [])
   where
     asValue = Aeson.eitherDecodeStrict :: Bytes.ByteString -> Either String Aeson.Value
     polygons = Key Root "polygons"
     wallOf corners = RawPolygon Nothing Polyline (points corners) black Map.empty
-    withFile' name bytes act = withSystemTempDirectory "scenes" $ \dir -> do
-      Bytes.writeFile (dir </> name) bytes
-      act (dir </> name)
 
 written :: RawScene -> Bytes.ByteString
 written = Lazy.toStrict . Builder.toLazyByteString . sceneDocument
@@ -152,29 +126,3 @@ contract =
   \     \"sides\": {\"2\": {\"emission\": 0}}},\n\
   \    [[4,4],[6,4],[5,6]]\n\
   \  ] }\n"
-
--- | Scenes as files may state them, most of them not valid. No file states a ring of two corners, or a wall as enclosure.
-rawScenes :: Gen RawScene
-rawScenes = RawScene <$> names <*> perhaps (described rawPolygon) <*> upTo 4 (oneof (map described [rawPolygon, rawWall]))
-  where
-    described made = do
-      polygon <- made <$> upTo 5 corner
-      name <- names
-      material <- Material <$> numbers <*> numbers
-      sides <- overrides
-      pure polygon {rawPolygonName = name, rawMaterial = material, rawSides = sides}
-    corner = Point <$> numbers <*> numbers
-    overrides = Map.fromList <$> upTo 3 ((,) <$> arbitrary <*> override)
-    override = MaterialOverride <$> perhaps numbers <*> perhaps numbers
-    names = perhaps (Text.pack <$> listOf character)
-    character = frequency [(5, arbitrary), (5, choose ('a', 'z')), (1, elements "\"\\/\0\n\119070")]
-    perhaps g = oneof [pure Nothing, Just <$> g]
-    upTo n g = choose (0, n :: Int) >>= \k -> vectorOf k g
-    numbers =
-      oneof
-        [ pure 0
-        , fromInteger <$> arbitrary
-        , arbitrary
-        , (\p k -> p % (10 ^ k)) <$> choose (-10 ^ (25 :: Int), 10 ^ (25 :: Int)) <*> choose (0, 25 :: Int)
-        , (%) <$> choose (-10 ^ (60 :: Int), 10 ^ (60 :: Int)) <*> choose (1, 10 ^ (60 :: Int))
-        ]
