@@ -17,6 +17,8 @@ module Visibility.Error
   , JsonPath (..)
   , ShapeFault (..)
   , OutlineFault (..)
+  , WktFault (..)
+  , WktExpected (..)
   , Found (..)
   , Wanted (..)
     -- ** It states no valid scene

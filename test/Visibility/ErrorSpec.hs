@@ -69,6 +69,7 @@ report problems =
 data Kind
   = Syntax SyntaxKind
   | Shape ShapeKind
+  | Wkt WktKind
   | Scene SceneKind
   deriving (Eq, Ord, Show)
 
@@ -87,6 +88,9 @@ data ShapeKind
   | KEnclosureHole
   | KEnclosureWall
   | KSecondEnclosure
+  deriving (Eq, Ord, Show)
+
+data WktKind = KWktUnexpected WktExpected | KWktNumber NumberFault | KWktOutline OutlineKind
   deriving (Eq, Ord, Show)
 
 data OutlineKind = KOpenRing | KShortRing | KShortLine | KHole
@@ -120,6 +124,8 @@ allKinds =
     <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
     <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey, KEnclosureHole, KEnclosureWall, KSecondEnclosure]
     <> map (Shape . KOutline) [minBound .. maxBound]
+    <> map Wkt (map KWktUnexpected [minBound .. maxBound] <> map KWktNumber [minBound .. maxBound])
+    <> map (Wkt . KWktOutline) [minBound .. maxBound]
     <> map
       Scene
       ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
@@ -135,6 +141,7 @@ kinds problem = case problem of
   UnreadableFile _ _ -> []
   UnparseableFile _ (SyntaxError _ fault) -> [Syntax (syntaxKind fault)]
   UnparseableFile _ (ShapeError _ fault) -> [Shape (shapeKind fault)]
+  UnparseableFile _ (WktError _ fault) -> [Wkt (wktKind fault)]
   InvalidScene _ fault -> [Scene (sceneKind fault)]
 
 syntaxKind :: SyntaxFault -> SyntaxKind
@@ -158,6 +165,12 @@ shapeKind fault = case fault of
   EnclosureHole -> KEnclosureHole
   EnclosureWall -> KEnclosureWall
   SecondEnclosure _ -> KSecondEnclosure
+
+wktKind :: WktFault -> WktKind
+wktKind fault = case fault of
+  WktUnexpected _ expected -> KWktUnexpected expected
+  WktNumber _ why -> KWktNumber why
+  WktOutline why -> KWktOutline (outlineKind why)
 
 outlineKind :: OutlineFault -> OutlineKind
 outlineKind fault = case fault of

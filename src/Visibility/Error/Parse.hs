@@ -7,6 +7,8 @@ module Visibility.Error.Parse
   , JsonPath (..)
   , ShapeFault (..)
   , OutlineFault (..)
+  , WktFault (..)
+  , WktExpected (..)
   , Found (..)
   , Wanted (..)
   , parseErrorText
@@ -27,13 +29,14 @@ import Visibility.Format.Number
 data ParseError
   = SyntaxError !TextPosition !SyntaxFault
   | ShapeError !JsonPath !ShapeFault
+  | WktError !TextPosition !WktFault
   deriving (Eq, Ord, Show)
 
 -- | Line and column, both from 1; a column is a character, not a byte.
 data TextPosition = TextPosition !Int !Int
   deriving (Eq, Ord, Show)
 
--- | Why a text is not JSON.
+-- | Why a text is not JSON, or not even text.
 data SyntaxFault
   = -- | The character found, nothing at the end of the text.
     Unexpected !(Maybe Char) !Expected
@@ -99,6 +102,23 @@ data OutlineFault
     Hole
   deriving (Eq, Ord, Show)
 
+-- | Why a line of WKT is not a geometry of a scene.
+data WktFault
+  = -- | The word or sign found, nothing at the end of the line.
+    WktUnexpected !(Maybe Text) !WktExpected
+  | WktNumber !Text !NumberFault
+  | WktOutline !OutlineFault
+  deriving (Eq, Ord, Show)
+
+-- | What WKT allows at a place.
+data WktExpected
+  = AGeometry
+  | OpeningOrEmpty
+  | ACoordinate
+  | CommaOrClosing
+  | TheLineEnd
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
 -- | A JSON value, as far as a message repeats it. A number is kept as it is spelled.
 data Found
   = FoundNull
@@ -143,9 +163,11 @@ data Wanted
 -- | The text of an error without the file, one line.
 parseErrorText :: ParseError -> String
 parseErrorText fault = case fault of
-  SyntaxError (TextPosition line column) why ->
-    "line " <> show line <> ", column " <> show column <> ": " <> syntaxText why
+  SyntaxError position why -> positionText position <> ": " <> syntaxText why
   ShapeError path why -> pathText path <> ": " <> shapeText why
+  WktError position why -> positionText position <> ": " <> wktText why
+  where
+    positionText (TextPosition line column) = "line " <> show line <> ", column " <> show column
 
 syntaxText :: SyntaxFault -> String
 syntaxText fault = case fault of
@@ -226,6 +248,21 @@ outlineText fault = case fault of
     positions 1 = "1 position"
     positions n = show n <> " positions"
     pointText (Point x y) = "(" <> numberText x <> ", " <> numberText y <> ")"
+
+wktText :: WktFault -> String
+wktText fault = case fault of
+  WktUnexpected found expected ->
+    "found " <> maybe "the end of the line" quoted found <> "; " <> wktExpectedText expected
+  WktNumber spelled why -> quoted spelled <> numberFaultText why
+  WktOutline why -> outlineText why
+
+wktExpectedText :: WktExpected -> String
+wktExpectedText expected = case expected of
+  AGeometry -> "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here"
+  OpeningOrEmpty -> "( or EMPTY belongs here"
+  ACoordinate -> "a number belongs here, two for each position"
+  CommaOrClosing -> ", or ) belongs here, and all of a geometry on one line"
+  TheLineEnd -> "nothing may follow the geometry, give each a line of its own"
 
 -- | What is wrong with a number and what would be right, to follow its text.
 numberFaultText :: NumberFault -> String

@@ -16,6 +16,7 @@ import System.IO.Error (ioeGetErrorString, isDoesNotExistError, isPermissionErro
 import Visibility.Error
 import Visibility.Format.GeoJson (readGeoJson)
 import Visibility.Format.Json (readScene)
+import Visibility.Format.Wkt (readWkt)
 import Visibility.Scene (Scene)
 import Visibility.Scene.Raw (RawScene)
 import Visibility.Scene.Validate (validate)
@@ -42,6 +43,7 @@ readRawSceneFile path = (first unreadable >=> readSceneBytes label) <$> tryIOErr
 readSceneBytes :: FilePath -> ByteString -> Either (NonEmpty Problem) RawScene
 readSceneBytes path
   | ".geojson" `isSuffixOf` lowered = readGeoJson path
+  | ".wkt" `isSuffixOf` lowered = readWkt path
   | otherwise = readScene path
   where
     lowered = map toLower path

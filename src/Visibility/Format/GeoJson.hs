@@ -14,21 +14,22 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import Visibility.Error
 import Visibility.Exact.Point (Point (..))
+import Visibility.Format.Checked
 import Visibility.Format.Json.Shape
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Outline
 import Visibility.Scene.Raw
 
--- | What the text of a file says of a scene; the path is only what the file is called in problems. Polygons are those of
--- Polygon and MultiPolygon, thin walls those of LineString and MultiLineString, in the order of the file. The
+-- | What the text of a file says of a scene; the path is only what the file is called in problems. Polygons are those
+-- of Polygon and MultiPolygon, thin walls those of LineString and MultiLineString, in the order of the file. The
 -- properties @name@, @emission@ and @reflectivity@ of a Feature hold for all of its geometry, and the @role@
 -- @"enclosure"@ makes it the enclosure. A FeatureCollection may have a @name@, which is the scene's.
 --
 -- Numbers are those of our own JSON: exact, and strings such as @"1/3"@ too.
 --
--- /Degenerate cases/ the third and further numbers of a position, all other properties and members, and what is null or
--- has no coordinates, are passed over. A property that is null is not given. Points, holes, rings that do not close and a
--- second enclosure are faults. Of JSON that is no GeoJSON of a scene, every fault is reported.
+-- /Degenerate cases/ the third and further numbers of a position, all other properties and members, and what is null
+-- or has no coordinates, are passed over. A property that is null is not given. Points, holes, rings that do not close
+-- and a second enclosure are faults. Of JSON that is no GeoJSON of a scene, every fault is reported.
 --
 -- /Cost/ O(n) in bytes, but for the size of the numbers.
 readGeoJson :: FilePath -> ByteString -> Either (NonEmpty Problem) RawScene
@@ -196,9 +197,7 @@ lineAt Enclosing path document = outlineAt lineWall path document <* wrong path 
 
 outlineAt :: ([Point] -> Either OutlineFault RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
 outlineAt outline path document = case document of
-  List items -> case eachItem positionAt path items of
-    Wrong faults -> Wrong faults
-    Good positions -> either (wrong path . BadOutline) Good (outline positions)
+  List items -> eachItem positionAt path items `andThen` (either (wrong path . BadOutline) Good . outline)
   _ -> wrongKind path document WantedPositions
 
 -- What stands behind x and y, an altitude as a rule, has no meaning in the plane.

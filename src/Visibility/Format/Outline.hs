@@ -12,8 +12,10 @@ import Visibility.Scene.Raw (RawPolygon, rawPolygon, rawWall)
 
 -- | The polygon inside a ring. Both formats repeat the first position as the last; it is one corner.
 --
--- /Degenerate cases/ positions are not compared otherwise: a corner may be repeated, which no valid scene has. A ring of
--- two corners, there and back, is an error and no thin wall: that is what lines are for.
+-- /Degenerate cases/ positions are not compared otherwise: a corner may be repeated, which no valid scene has. A ring
+-- of two corners, there and back, is an error and no thin wall: that is what lines are for.
+--
+-- /Cost/ O(n).
 --
 -- >>> ringPolygon [Point 0 0, Point 1 0, Point 0 1, Point 0 0]
 -- Right (rawPolygon [Point 0 0, Point 1 0, Point 0 1])

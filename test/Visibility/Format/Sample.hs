@@ -5,11 +5,13 @@ module Visibility.Format.Sample
   ( rawScenes
   , outlinedScenes
   , geoJsonOf
+  , wktOf
   ) where
 
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (toLower)
 import Data.List (intercalate)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, maybeToList)
@@ -18,7 +20,7 @@ import qualified Data.Text as Text
 import Test.QuickCheck
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Rounding (rationalText)
-import Visibility.Format.Number (decimalText)
+import Visibility.Format.Number (decimalText, numberText)
 import Visibility.Scene.Raw
 
 -- | Scenes as our own JSON may state them. No file states a ring of two corners, or a wall as enclosure.
@@ -93,6 +95,34 @@ geoJsonOf (RawScene name room polygons) = do
     -- The names above need no escapes.
     quoted text = "\"" <> Text.unpack text <> "\""
     numberJson q = fromMaybe ("\"" <> rationalText q <> "\"") (decimalText q)
+
+-- | One of the ways in which WKT says it, but for the enclosure, names and materials.
+wktOf :: RawScene -> Gen Bytes.ByteString
+wktOf (RawScene _ _ polygons) = do
+  lines' <- mapM (\polygon -> (<>) <$> nothing <*> geometry polygon) polygons
+  Lazy.toStrict . Builder.toLazyByteString . Builder.stringUtf8 <$> ((concat lines' <>) <$> nothing)
+  where
+    nothing = concat <$> upTo 2 (elements ["\n", " \t\r\n", "# (caf\233\n", "  #\n", "POLYGON EMPTY\n", "multilinestring z empty\n"])
+    geometry polygon = do
+      (dimension, others) <- elements [("", []), ("Z", ["0"]), ("M", ["1e3"]), ("zM", ["-1", "7"]), ("", ["2", "5"])]
+      positions <- mapM (position others) (rawCorners polygon)
+      let (kind, body) = case rawForm polygon of
+            Ring -> ("POLYGON", list [list (positions <> take 1 positions)])
+            Polyline -> ("LINESTRING", list positions)
+      several <- elements ["EMPTY", "empty", ""]
+      (word, text) <-
+        elements [(kind, body), ("MULTI" <> kind, list ([several | not (null several)] <> [body]))]
+      cased <- elements [id, map toLower]
+      gap <- blank
+      end <- elements ["\n", "\r\n", " \n"]
+      before <- elements ["", "  "]
+      pure (before <> cased word <> (if null dimension then "" else " " <> dimension) <> gap <> text <> end)
+    position others (Point x y) = unwords . (<> others) <$> mapM number [x, y]
+    number q = do
+      plus <- elements ["", "+"]
+      pure ((if q >= 0 then plus else "") <> numberText q)
+    list items = "(" <> intercalate ", " items <> ")"
+    blank = elements ["", " ", "\t "]
 
 corners :: Gen Point
 corners = Point <$> numbers <*> numbers

@@ -21,6 +21,7 @@ import Text.Read (readMaybe)
 import Visibility.Error
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Rounding (rationalText)
+import Visibility.Format.Checked
 import Visibility.Format.Json.Shape
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Number

@@ -3,8 +3,7 @@
 -- | Values of a JSON document that have the shape of their place, or all the faults that prevent it.
 module Visibility.Format.Json.Shape
   ( -- * Values and faults
-    Checked (..)
-  , readDocument
+    readDocument
   , wrong
   , wrongKind
   , found
@@ -20,41 +19,25 @@ module Visibility.Format.Json.Shape
 
 import Data.ByteString (ByteString)
 import Data.Foldable (traverse_)
-import Data.List.NonEmpty (NonEmpty (..))
+import Data.List.NonEmpty (NonEmpty)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import Visibility.Error
+import Visibility.Format.Checked
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Number
-
--- | A value or all the faults that prevent it.
-data Checked a = Wrong (NonEmpty ParseError) | Good a
-
-instance Functor Checked where
-  fmap _ (Wrong faults) = Wrong faults
-  fmap f (Good a) = Good (f a)
-
--- | Collects the faults of both sides, in order.
-instance Applicative Checked where
-  pure = Good
-  Good f <*> Good a = Good (f a)
-  Wrong faults <*> Wrong faults' = Wrong (faults <> faults')
-  Wrong faults <*> Good _ = Wrong faults
-  Good _ <*> Wrong faults = Wrong faults
 
 -- | What the text of a file says, by the shape of its document; the path is only what the file is called in problems.
 --
 -- /Degenerate cases/ of a text that is not JSON, the first fault; else every fault of shape.
 readDocument :: (JsonPath -> Document -> Checked a) -> FilePath -> ByteString -> Either (NonEmpty Problem) a
-readDocument shapeAt file bytes = case parseDocument bytes of
-  Left (position, fault) -> Left (UnparseableFile file (SyntaxError position fault) :| [])
-  Right document -> case shapeAt Root document of
-    Wrong faults -> Left (fmap (UnparseableFile file) faults)
-    Good a -> Right a
+readDocument shapeAt file bytes = outcome file $ case parseDocument bytes of
+  Left (position, why) -> fault (SyntaxError position why)
+  Right document -> shapeAt Root document
 
 -- | One fault.
 wrong :: JsonPath -> ShapeFault -> Checked a
-wrong path fault = Wrong (ShapeError path fault :| [])
+wrong path why = fault (ShapeError path why)
 
 -- | The value found is not of the kind wanted.
 wrongKind :: JsonPath -> Document -> Wanted -> Checked a

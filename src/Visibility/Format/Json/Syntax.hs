@@ -13,13 +13,11 @@ module Visibility.Format.Json.Syntax
   ) where
 
 import Data.ByteString (ByteString)
-import qualified Data.ByteString as Bytes
-import qualified Data.ByteString.Char8 as Chars
 import Data.Char (chr, digitToInt, isDigit, isHexDigit)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import qualified Data.Text.Encoding as Text
 import Visibility.Error (Expected (..), SyntaxFault (..), TextPosition (..))
+import Visibility.Format.Utf8
 
 -- | A JSON value. A number is its text; members are in the order of the file, duplicates included.
 data Document
@@ -41,8 +39,8 @@ deepest = 64
 --
 -- /Cost/ O(n) in bytes. The stack grows with 'deepest' only.
 parseDocument :: ByteString -> Either (TextPosition, SyntaxFault) Document
-parseDocument bytes = case Text.decodeUtf8' bytes of
-  Left _ -> Left (invalidByte bytes, InvalidUtf8)
+parseDocument bytes = case decoded bytes of
+  Left position -> Left (position, InvalidUtf8)
   Right text -> case value deepest (skip text) of
     Left failure -> Left (located text failure)
     Right (document, rest)
@@ -60,16 +58,6 @@ located text (Failure rest fault) = (endOf (Text.dropEnd (Text.length rest) text
 -- The position just behind a text.
 endOf :: Text -> TextPosition
 endOf before = TextPosition (1 + Text.count "\n" before) (1 + Text.length (Text.takeWhileEnd (/= '\n') before))
-
--- The position of the first byte that is not UTF-8. No character extends over the end of a line, so lines are tried one
--- by one; in a bad one, NUL stands for what cannot be decoded. (A NUL that was there before is as wrong.)
-invalidByte :: ByteString -> TextPosition
-invalidByte bytes = case [(n, line) | (n, line) <- zip [1 ..] (Chars.split '\n' bytes), isBad line] of
-  (n, line) : _ ->
-    TextPosition n (1 + Text.length (Text.takeWhile (/= '\0') (Text.decodeUtf8With (\_ _ -> Just '\0') line)))
-  [] -> TextPosition 1 (1 + Bytes.length bytes)
-  where
-    isBad = either (const True) (const False) . Text.decodeUtf8'
 
 unexpected :: Expected -> Text -> Failure
 unexpected expected rest = Failure rest (Unexpected (fst <$> Text.uncons rest) expected)
