@@ -17,7 +17,7 @@ CABAL_FLAGS ?=
 # QuickCheck cases of each property in the run at -O0, which is slow.
 O0_CASES ?= 20
 # Scenes that `demo` runs.
-SCENES ?= $(sort $(wildcard scenes/*.json))
+SCENES ?= $(sort $(wildcard scenes/*.json scenes/*.geojson scenes/*.wkt))
 # Passed to the benchmark.
 BENCH_ARGS ?=
 
@@ -119,8 +119,8 @@ demo: build ## run the main job on scenes/, into out/
 	@mkdir -p out
 	start=$$SECONDS
 	for scene in $(SCENES); do
-	  name=$$(basename "$$scene" .json)
-	  out=out/$$name
+	  name=$$(basename "$$scene")
+	  out=out/$${name%.*}
 	  mkdir -p "$$out"
 	  step() { "$(EXE)" "$$@" || { echo "demo: failed: $(EXE) $$*" >&2; exit 1; }; }
 	  step info "$$scene" > "$$out/info.txt"

@@ -142,7 +142,8 @@ whole =
         <> progDesc
           "What sees what in a scene of polygons, decided without rounding: the visibility graph by a topological \
           \sweep, the whole visibility complex, views from points, corners and sides, form factors as exact sums of \
-          \square roots, figures. Scenes are JSON files; - is standard input."
+          \square roots, figures. Scenes are files in JSON, GeoJSON (.geojson) or WKT (.wkt); - is standard input, \
+          \in JSON."
         <> examples
           [ ("a scene to try things on", "viscomplex generate random --size 10 > ten.json")
           , ("how big is its complex?", "viscomplex info ten.json")
@@ -255,7 +256,8 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
 common :: Parser Common
 common = Common <$> scene <*> arithmetic <*> scheduler
   where
-    scene = argument str (metavar "SCENE" <> help "A scene file (JSON), or - for standard input.")
+    scene = argument str (metavar "SCENE" <> help sources)
+    sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
     arithmetic =
       option
         (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])

@@ -15,7 +15,7 @@ import qualified Data.Set as Set
 import System.Directory (doesFileExist, listDirectory)
 import System.Environment (lookupEnv)
 import System.Exit (ExitCode (..))
-import System.FilePath ((</>))
+import System.FilePath (takeExtension, (</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
 import Test.Hspec
@@ -61,7 +61,7 @@ factorsOf text = [((from, to), value) | line <- drop 1 (lines text), [from, to, 
 spec :: Spec
 spec = do
   describe "every scene in scenes/" $ do
-    names <- runIO (sort . filter (".json" `isSuffix`) <$> listDirectory "scenes")
+    names <- runIO sceneFiles
     it "is among at least twelve" $ length names `shouldSatisfy` (>= 12)
     it "has its line in scenes/README.md" $ do
       text <- readFile ("scenes" </> "README.md")
@@ -135,7 +135,7 @@ spec = do
 
   describe "complex" $ do
     it "is the same to the last byte for both schedulers and every exact arithmetic, in every scene" $ do
-      names <- sort . filter (".json" `isSuffix`) <$> listDirectory "scenes"
+      names <- sceneFiles
       for_ names $ \name -> do
         let call options = output (["complex", "scenes" </> name] <> options) ""
         topological <- call []
@@ -248,6 +248,38 @@ spec = do
         text `shouldSatisfy` isInfixOf "viscomplex"
         text `shouldSatisfy` isInfixOf "Examples:"
 
+  describe "formats of scenes" $ do
+    it "give the same results, told by the ending of the file" $
+      withSystemTempDirectory "viscomplex" $ \folder -> do
+        let statements =
+              [ ("a.json", "{\"polygons\": [[[0,0],[1,0],[0,1]], [[3,0],[4,\"1/3\"]]]}")
+              , ( "a.geojson"
+                , "{\"type\": \"GeometryCollection\", \"geometries\": [\
+                  \ {\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1],[0,0]]]},\
+                  \ {\"type\": \"LineString\", \"coordinates\": [[3,0],[4,\"1/3\"]]}]}"
+                )
+              , ("a.WKT", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n# a wall\nLINESTRING (3 0, 4 1/3)\n")
+              ]
+        for_ statements $ \(name, text) -> writeFile (folder </> name) text
+        for_ [["graph"], ["factors", "--exact"], ["complex"]] $ \command -> do
+          results <- mapM (\(name, _) -> output (command <> [folder </> name]) "") statements
+          length (nub results) `shouldBe` 1
+    it "do not change what - reads, which is JSON" $ do
+      refuses 3 ["standard input", "line 1, column 1"] ["info", "-"] "LINESTRING (0 0, 1 0)"
+      refuses 3 ["standard input", "\"polygons\""] ["info", "-"] "{\"type\": \"FeatureCollection\", \"features\": []}"
+    it "have the same exit codes" $
+      withSystemTempDirectory "viscomplex" $ \folder -> do
+        let given name text = writeFile (folder </> name) text >> pure ["info", folder </> name]
+        for_ ["none.geojson", "none.wkt"] $ \name -> refuses 2 [name, "no such file"] ["info", folder </> name] ""
+        hole <- given "hole.geojson" "{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[9,0],[0,9],[0,0]], []]}"
+        refuses 3 ["hole.geojson: $.coordinates[1]", "is a hole"] hole ""
+        lines' <- given "lines.wkt" "LINESTRING (0 0, 1 x)\nCIRCLE (0 0)\n"
+        refuses 3 ["lines.wkt: line 1, column 20", "line 2, column 1"] lines' ""
+        crossing <- given "crossing.wkt" "LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n"
+        refuses 4 ["crossing.wkt: polygon 0", "crosses"] crossing ""
+        nothing <- given "empty.geojson" "{\"type\": \"FeatureCollection\", \"features\": []}"
+        refuses 4 ["empty.geojson", "empty"] nothing ""
+
   describe "mistakes" $ do
     it "in usage end with exit code 1" $ do
       for_
@@ -299,7 +331,7 @@ spec = do
         refuses 4 ["polygon 0", "polygon 1"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[2,0],[2,1]]]}"
   where
     nowhere = "/nowhere/at/all.svg"
-    isSuffix end text = end == drop (length text - length end) text
+    sceneFiles = sort . filter ((`elem` [".json", ".geojson", ".wkt"]) . takeExtension) <$> listDirectory "scenes"
 
 -- | The objects seen and their form factors, of a view.
 seenIn :: String -> Maybe [(String, String)]

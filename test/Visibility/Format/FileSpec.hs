@@ -38,8 +38,15 @@ spec = do
         Left (UnreadableFile path (ReadFailed _) :| []) -> path `shouldBe` dir
         other -> expectationFailure (show other)
     it "reads a file in the format of its ending" $
-      for_ [("a.geojson", triangleGeoJson), ("a.GeoJSON", triangleGeoJson), ("geojson", triangle), ("a.wkt", triangleWkt), ("a.WKT", triangleWkt)] $ \(name, bytes) ->
-        withFile' name bytes $ \path -> do
+      for_
+        [ ("a.geojson", triangleGeoJson)
+        , ("a.GeoJSON", triangleGeoJson)
+        , ("a.wkt", triangleWkt)
+        , ("a.WKT", triangleWkt)
+        , ("geojson", triangle)
+        , ("wkt.txt", triangle)
+        ]
+        $ \(name, bytes) -> withFile' name bytes $ \path -> do
           outcome <- readRawSceneFile path
           outcome `shouldBe` Right (RawScene Nothing Nothing [rawPolygon [Point 0 0, Point 1 0, Point 0 1]])
   describe "readSceneBytes" $

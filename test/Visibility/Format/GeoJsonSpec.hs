@@ -24,7 +24,8 @@ spec = describe "readGeoJson" $ do
       `shouldBe` Right
         RawScene
           { rawName = Just "ground floor"
-          , rawEnclosure = Just (rawPolygon (points [(0, 0), (10, 0), (10, 8), (0, 8)])) {rawMaterial = Material 0 (7 % 10)}
+          , rawEnclosure =
+              Just (rawPolygon (points [(0, 0), (10, 0), (10, 8), (0, 8)])) {rawMaterial = Material 0 (7 % 10)}
           , rawPolygons =
               [ lamp (points [(1, 1), (2, 1), (2, 2)])
               , lamp (points [(3, 1), (4, 1), (4, 5 % 2)])
@@ -89,15 +90,15 @@ exported =
   \\"name\": \"ground floor\",\n\
   \\"crs\": { \"type\": \"name\", \"properties\": { \"name\": \"urn:ogc:def:crs:EPSG::25832\" } },\n\
   \\"features\": [\n\
-  \{ \"type\": \"Feature\", \"properties\": { \"fid\": 1, \"name\": \"lamp\", \"emission\": 1.0, \"reflectivity\": \"1/2\", \
-  \\"role\": null }, \"geometry\": { \"type\": \"MultiPolygon\", \"coordinates\": [ [ [ [ 1.0, 1.0 ], [ 2.0, 1.0 ], \
-  \[ 2.0, 2.0 ], [ 1.0, 1.0 ] ] ], [ [ [ 3, 1 ], [ 4, 1 ], [ 4, 2.5 ], [ 3, 1 ] ] ] ] } },\n\
+  \{ \"type\": \"Feature\", \"properties\": { \"fid\": 1, \"name\": \"lamp\", \"emission\": 1.0, \
+  \\"reflectivity\": \"1/2\", \"role\": null }, \"geometry\": { \"type\": \"MultiPolygon\", \
+  \\"coordinates\": [ [ [ [ 1.0, 1.0 ], [ 2.0, 1.0 ], [ 2.0, 2.0 ], [ 1.0, 1.0 ] ] ], [ [ [ 3, 1 ], [ 4, 1 ], [ 4, 2.5 ], [ 3, 1 ] ] ] ] } },\n\
   \{ \"type\": \"Feature\", \"properties\": { \"fid\": 2, \"name\": null, \"emission\": null, \"reflectivity\": 0.7, \
   \\"role\": \"enclosure\" }, \"geometry\": { \"type\": \"Polygon\", \"coordinates\": [ [ [ 0.0, 0.0, 3.1 ], \
   \[ 10.0, 0.0, 3.1 ], [ 10.0, 8.0, 3.1 ], [ 0.0, 8.0, 3.1 ], [ 0.0, 0.0, 3.1 ] ] ] } },\n\
-  \{ \"type\": \"Feature\", \"properties\": { \"fid\": 3, \"name\": null, \"emission\": null, \"reflectivity\": null, \
-  \\"role\": null }, \"geometry\": { \"type\": \"MultiLineString\", \"coordinates\": [ [ [ 5, 5 ], [ 6, 5 ], [ 6, 6 ] ], \
-  \[ [ 7.0, 5.0 ], [ 8.0, \"1/3\" ] ] ] } },\n\
+  \{ \"type\": \"Feature\", \"properties\": { \"fid\": 3, \"name\": null, \"emission\": null, \
+  \\"reflectivity\": null, \"role\": null }, \"geometry\": { \"type\": \"MultiLineString\", \
+  \\"coordinates\": [ [ [ 5, 5 ], [ 6, 5 ], [ 6, 6 ] ], [ [ 7.0, 5.0 ], [ 8.0, \"1/3\" ] ] ] } },\n\
   \{ \"type\": \"Feature\", \"properties\": { \"fid\": 4 }, \"geometry\": null }\n\
   \]\n\
   \}\n"

@@ -37,8 +37,8 @@ rawScenes = RawScene <$> names <*> perhaps (polygon rawPolygon) <*> upTo 4 (oneo
     names = perhaps (Text.pack <$> listOf character)
     character = frequency [(5, arbitrary), (5, choose ('a', 'z')), (1, elements "\"\\/\0\n\119070")]
 
--- | Scenes as GeoJSON may state them too: no sides by themselves, three corners or more around an area, two or more along
--- a wall.
+-- | Scenes as GeoJSON may state them too: no sides by themselves, three corners or more around an area, two or more
+-- along a wall.
 outlinedScenes :: Gen RawScene
 outlinedScenes = RawScene <$> names <*> perhaps (polygon ring) <*> upTo 4 (oneof (map polygon [ring, wall]))
   where
@@ -102,7 +102,9 @@ wktOf (RawScene _ _ polygons) = do
   lines' <- mapM (\polygon -> (<>) <$> nothing <*> geometry polygon) polygons
   Lazy.toStrict . Builder.toLazyByteString . Builder.stringUtf8 <$> ((concat lines' <>) <$> nothing)
   where
-    nothing = concat <$> upTo 2 (elements ["\n", " \t\r\n", "# (caf\233\n", "  #\n", "POLYGON EMPTY\n", "multilinestring z empty\n"])
+    nothing =
+      concat
+        <$> upTo 2 (elements ["\n", " \t\r\n", "# (caf\233\n", "  #\n", "POLYGON EMPTY\n", "multilinestring z empty\n"])
     geometry polygon = do
       (dimension, others) <- elements [("", []), ("Z", ["0"]), ("M", ["1e3"]), ("zM", ["-1", "7"]), ("", ["2", "5"])]
       positions <- mapM (position others) (rawCorners polygon)

@@ -57,7 +57,7 @@ spec = describe "readWkt" $ do
           readWkt "a" ("LINESTRING (" <> word <> " 0, 1 0)")
             `shouldBe` Right (RawScene Nothing Nothing [rawWall [Point value 0, Point 1 0]])
   describe "refuses other numbers" $
-    for_ [".", "-.", "+", "+-1", "-+1", "--1", "1..2", ".5/2", "1/.5", "1/-2", ".e1", "x", "0x1", "NaN", "\"1\""] $ \word ->
+    for_ [".", "-.", "+", "+-1", "-+1", "--1", "1..2", ".5/2", "1/.5", "1/-2", ".e1", "x", "NaN", "\"1\""] $ \word ->
       it (show word) $
         fmap rawName (readWkt "a" ("LINESTRING (" <> word <> " 0, 1 0)"))
           `shouldBe` Left
@@ -65,7 +65,8 @@ spec = describe "readWkt" $ do
   prop "reads what is written in any of the ways, to the same scene" $
     forAll outlinedScenes $ \raw ->
       forAll (wktOf raw) $ \bytes ->
-        counterexample (Chars.unpack bytes) (readWkt "a" bytes === Right (RawScene Nothing Nothing (map bare (rawPolygons raw))))
+        counterexample (Chars.unpack bytes) $
+          readWkt "a" bytes === Right (RawScene Nothing Nothing (map bare (rawPolygons raw)))
   it "reports faults of every line; what goes on with a geometry that ended early is not its own fault" $
     faultsOf "POINT (1 2)\nPOLYGON ((0 0, 1 0,\n 0 1,\n\n 0 0))\nLINESTRING (0 0)\n((7\n"
       `shouldBe` [ (1, 1, WktUnexpected (Just "POINT") AGeometry)
@@ -94,4 +95,5 @@ spec = describe "readWkt" $ do
     decoded = Text.pack . Chars.unpack
     faultsOf text = case readWkt "a" text of
       Right _ -> []
-      Left problems -> [(line, column, why) | UnparseableFile _ (WktError (TextPosition line column) why) <- toList problems]
+      Left problems ->
+        [(line, column, why) | UnparseableFile _ (WktError (TextPosition line column) why) <- toList problems]

@@ -129,8 +129,8 @@ overrideAt path other = wrongKind path other WantedMaterial
 -- the same bytes for the same scene. Integers and decimals of up to 20 digits after the point are written as JSON
 -- numbers, other numbers as @"p/q"@.
 --
--- /Degenerate cases/ no file can state a ring of two corners, which is read as a wall, nor a wall as the enclosure, which
--- is refused. "Visibility.Scene.Raw" makes neither of a ring's corners.
+-- /Degenerate cases/ no file can state a ring of two corners, which is read as a wall, nor a wall as the enclosure,
+-- which is refused.
 --
 -- /Laws/ of other scenes @readScene file (bytes (sceneDocument raw)) == Right raw@.
 sceneDocument :: RawScene -> Builder
