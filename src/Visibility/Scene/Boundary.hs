@@ -202,7 +202,7 @@ data Face = Face !Int !Int !SideName
 -- sides there.
 freeCorners :: Outline -> [Contact] -> [FreeCorner]
 freeCorners o found =
-  [ FreeCorner from (nameAt from [side, arriving]) side (follower f)
+  [ FreeCorner from (nameAt from [side, arriving]) side (followers U.! f)
   | (f, Face from _ side) <- zip [0 ..] (V.toList faces)
   , let Face _ _ arriving = faces V.! (leaders U.! f)
   ]
@@ -210,8 +210,10 @@ freeCorners o found =
     faces = V.fromList (exposed o found)
     placeId = placeIds o
     -- By place: the faces that begin there, in the order of their angles if there are several.
-    starting =
-      IntMap.map inOrder (IntMap.fromListWith (<>) [(placeId U.! from, [f]) | (f, Face from _ _) <- V.toList (V.indexed faces)])
+    starting = V.map inOrder (byPlace [(placeId U.! from, f) | (f, Face from _ _) <- V.toList (V.indexed faces)])
+    byPlace :: [(Int, a)] -> V.Vector [a]
+    byPlace = V.accumulate (flip (:)) (V.replicate (U.length placeId) []) . V.fromList
+    inOrder [] = []
     inOrder fs@[_] = fs
     inOrder fs = sortBy (byAngle `on` (\f -> let Face from to _ = faces V.! f in (from, to))) fs
     byAngle = angleOrder o
@@ -220,15 +222,16 @@ freeCorners o found =
     follower f = fromMaybe f (listToMaybe (filter later here <> here))
       where
         Face from to _ = faces V.! f
-        here = IntMap.findWithDefault [] (placeId U.! to) starting
+        here = starting V.! (placeId U.! to)
         later g = let Face _ away _ = faces V.! g in byAngle (to, from) (to, away) == LT
-    leaders = U.replicate (V.length faces) 0 U.// [(follower f, f) | f <- [0 .. V.length faces - 1]]
-    named = IntMap.fromListWith (<>) [(placeId U.! i, [cornerNameOf o i]) | i <- concatMap (cornersOf o) (polygonIndices o)]
+    followers = U.generate (V.length faces) follower
+    leaders = U.replicate (V.length faces) 0 U.// zip (U.toList followers) [0 ..]
+    named = byPlace [(placeId U.! i, cornerNameOf o i) | i <- concatMap (cornersOf o) (polygonIndices o)]
     nameAt x flanks = case filter (`ownedBy` flanks) names of
       [] -> minimum (cornerNameOf o x : names)
       own -> minimum own
       where
-        names = IntMap.findWithDefault [] (placeId U.! x) named
+        names = named V.! (placeId U.! x)
     ownedBy (CornerName p _) flanks = p `elem` [q | SideName q _ <- flanks]
 
 -- | Places by number, in lexicographic order.
@@ -258,22 +261,26 @@ data Occupant
 
 -- | The faces of sides that are not covered, cut where something touches them.
 exposed :: Outline -> [Contact] -> [Face]
-exposed o found = concatMap faces (Map.toList pieces)
+exposed o found
+  | null found = concatMap (faces . pure) pieces
+  | otherwise = concatMap faces (Map.elems together)
   where
-    cuts = Map.fromListWith (<>) [(s, [i]) | OnSegment i s <- found]
+    cuts = IntMap.fromListWith (<>) [(s, [i]) | OnSegment i s <- found]
+    -- What lies along one piece; each is alone where nothing meets.
+    together = Map.fromListWith (<>) [((placeOf o low, placeOf o high), [piece]) | piece@(low, high, _) <- pieces]
     pieces =
-      Map.fromListWith
-        (<>)
-        [ ((placeOf o low, placeOf o high), [(low, high, occupant)])
-        | p <- polygonIndices o
-        , s <- segmentStarts o p
-        , let t = around o 1 s
-        , let onwards = placeOf o s < placeOf o t
-        , let occupant = occupantOf p s onwards
-        , let between = sortOn (placeOf o) (s : t : Map.findWithDefault [] s cuts)
-        , (low, high) <- zip between (drop 1 between)
-        , placeOf o low /= placeOf o high
-        ]
+      [ (low, high, occupant)
+      | p <- polygonIndices o
+      , s <- segmentStarts o p
+      , let t = around o 1 s
+      , let onwards = placeOf o s < placeOf o t
+      , let occupant = occupantOf p s onwards
+      , let between = case IntMap.lookup s cuts of
+              Nothing -> if onwards then [s, t] else [t, s]
+              Just corners -> sortOn (placeOf o) (s : t : corners)
+      , (low, high) <- zip between (drop 1 between)
+      , placeOf o low /= placeOf o high
+      ]
     flanks = V.generate (V.length (outlineIds o)) (solidFlank o)
     occupantOf p s onwards = case outlineForms o V.! p of
       Polyline
@@ -282,8 +289,8 @@ exposed o found = concatMap faces (Map.toList pieces)
       Ring
         | (flanks V.! p == LeftTurn) == onwards -> SolidLeft (sideNameOf o s)
         | otherwise -> SolidRight (sideNameOf o s)
-    faces (_, []) = []
-    faces (_, occupants@((low, high, _) : _)) =
+    faces [] = []
+    faces occupants@((low, high, _) : _) =
       [Face high low face | null leftSolids, face <- take 1 (map fst walls <> rightSolids)]
         <> [Face low high face | null rightSolids, face <- take 1 (map snd walls <> leftSolids)]
       where

@@ -78,7 +78,7 @@ data Surroundings
   deriving (Eq, Ord, Show)
 
 -- | A scene whose polygons are simple and do not overlap, and lie inside the enclosure if there is one; they may touch.
--- Everything is indexed by 'CornerId'.
+-- Everything is indexed by 'CornerId'. The tables by name are made when they are first needed.
 data Scene = Scene
   { sceneTitle :: !(Maybe Text)
   -- ^ The name that the file gives, fit to be shown: control characters are replaced by U+FFFD, here as in names of
@@ -98,12 +98,12 @@ data Scene = Scene
   -- ^ By corner: see 'isSplitEnd'. Empty if there are none.
   , cornerNames :: !(V.Vector CornerName)
   , sideNames :: !(V.Vector SideName)
-  , cornersByName :: !(Map.Map CornerName [CornerId])
-  , namesByPlace :: !(V.Vector [CornerName])
-  , piecesByName :: !(Map.Map SideName [SideId])
+  , cornersByName :: (Map.Map CornerName [CornerId])
+  , namesByPlace :: (V.Vector [CornerName])
+  , piecesByName :: (Map.Map SideName [SideId])
   , sceneContacts :: !Int
   -- ^ How many places there are where stated corners touch other corners or sides.
-  , statedByName :: !(Map.Map SideName (Vector2, Material))
+  , statedByName :: (Map.Map SideName (Vector2, Material))
   -- ^ Every side of the file, covered or not: the way along it on the lattice, and its material.
   , scenePolygons :: ![Polygon]
   -- ^ In the file's order, the enclosure last.
