@@ -88,19 +88,20 @@ dualDrawing scene stream =
     axes = axisMarks frame
 
     (labels, leaders, unlabelled)
-      | cornerCount scene <= 24 = placeLabels scenery (map request (corners scene))
+      | cornerCount scene <= 24 = placeLabels scenery [request c group | group@(c : _) <- placeGroups scene]
       | otherwise = ([], [], [])
-    request c =
+    -- One label for all corners in one place: they have one curve.
+    request c group =
       Request name CornerLabel name $
         [ Seat (onCanvas frame (theta, heightAt frame c theta)) (slope + turned) (pi / 4)
         | edge <- allEdges
-        , edgeCorner edge == c
+        , edgeCorner edge `elem` group
         , theta <- samples 6 edge
         , let slope = atan (slopeOnCanvas frame c theta)
         , turned <- [pi / 2, -pi / 2]
         ]
       where
-        name = Text.pack (cornerText (cornerName scene c))
+        name = Text.pack (unwords (map cornerText (namesHere scene c)))
     Box left bottom right top = plot
     scenery =
       Obstruction
