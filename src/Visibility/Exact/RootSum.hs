@@ -92,8 +92,16 @@ root c n
   | otherwise = Just (nonNegativeRoot c n)
 
 -- | @hypotenuse c x y@ is c √(x² + y²): a multiple of the length of an integer vector. Unlike 'root' it cannot fail.
+--
+-- Shape: at most one term, its radicand that of the primitive vector (x, y) / gcd(x, y). On the lattice of a scene with
+-- many denominators the gcd is nearly as long as x and y.
 hypotenuse :: Rational -> Integer -> Integer -> RootSum
-hypotenuse c x y = nonNegativeRoot c (x * x + y * y)
+hypotenuse c x y
+  | g == 0 = zero
+  | otherwise = nonNegativeRoot (multiplied g c) (square (x `quot` g) + square (y `quot` g))
+  where
+    g = gcd x y
+    square a = a * a
 
 -- | The square root of a rational number, √(p\/q) = (1\/q) √(p q); 'Nothing' for a negative one.
 rootOfRational :: Rational -> Maybe RootSum
@@ -149,18 +157,25 @@ timesRoot r n s
   | n == 0 || r == 0 = Just zero
   | otherwise = Just (mconcat [productOf c m (gcd m n) | (c, m) <- terms s])
   where
-    productOf c m g = positiveRoot (c * r * fromInteger g) ((m `quot` g) * (n `quot` g))
+    productOf c m g = positiveRoot (multiplied g (c * r)) ((m `quot` g) * (n `quot` g))
 
 -- | @quotientByRoot s r n@ is s \/ (r √n), again a sum of roots: for a form factor, the measure by twice a side's
 -- length.
 --
 -- /Degenerate cases:/ 'Nothing' if the divisor r √n is zero or n is negative.
 --
+-- /Cost:/ that of 'timesRoot'.
+--
 -- /Laws:/ undone by 'timesRoot'.
 quotientByRoot :: RootSum -> Rational -> Integer -> Maybe RootSum
 quotientByRoot s r n
   | n <= 0 || r == 0 = Nothing
-  | otherwise = timesRoot (recip (r * fromInteger n)) n s
+  | otherwise = Just (mconcat [quotientOf c m (gcd m n) | (c, m) <- terms s])
+  where
+    -- Rational arithmetic step by step would look for common divisors at each step; these numbers may be huge.
+    quotientOf c m g =
+      let n' = n `quot` g
+       in positiveRoot ((numerator c * denominator r) % (denominator c * numerator r * n')) ((m `quot` g) * n')
 
 -- | Where a number lies with respect to zero.
 data Sign = Negative | Zero | Positive
@@ -317,7 +332,8 @@ asRational s = case terms (merged s) of
 --
 -- Shape: (lower end, upper end), closed.
 --
--- /Cost:/ one integer square root per term, with about k more bits than the term itself.
+-- /Cost:/ one integer square root per term, of about twice the bits that the term has left of the point and k to the
+-- right of it. However long the numbers in a term are, only as many leading bits of them are computed with.
 enclosure :: Int -> RootSum -> (Rational, Rational)
 enclosure k s = inUnits (k + guardBits s) s
 
@@ -332,20 +348,35 @@ inUnits k s = (scale low, scale high)
     (low, high) = units k s
     scale a = if k >= 0 then a % (1 `shiftL` k) else fromInteger (a `shiftL` negate k)
 
--- | Bounds in units of 2⁻ᵏ, as far apart as there are terms.
+-- | Bounds in units of 2⁻ᵏ, twice as far apart as there are terms.
 units :: Int -> RootSum -> (Integer, Integer)
-units k (RootSum m) = (low, low + toInteger (Map.size m))
+units k (RootSum m) = (low, low + 2 * toInteger (Map.size m))
   where
     low = Map.foldlWithKey' (\a n c -> a + lowerUnits k n c) 0 m
 
--- | The largest integer below or at c √n 2ᵏ, or that integer less one.
+-- | An integer a with a ≤ c √n 2ᵏ ≤ a + 2.
+--
+-- x, y and n are cut to their leading w bits, downwards but for y. The relative losses of x and n are below 2¹⁻ʷ, that of
+-- y at most 2¹⁻ʷ, and that of the root less than their sum. The result is below 2ʷ⁻⁸, so it loses less than 1 by the
+-- cutting, and less than 1 by being rounded down.
 lowerUnits :: Int -> Integer -> Rational -> Integer
-lowerUnits k n c = if c > 0 then magnitude else negate magnitude - 1
+lowerUnits k n c = if c > 0 then magnitude else negate magnitude - 2
   where
     (x, y) = (abs (numerator c), denominator c)
+    w = 8 + max 0 (bitLength x + (bitLength n + 1) `quot` 2 - bitLength y + 1 + k)
+    (x', i) = leading w x
+    (n', j) = leading w n
+    (cut, l) = leading w y
+    y' = if l > 0 then cut + 1 else cut
     magnitude
-      | n == 1 = shiftedQuotient k x y
-      | otherwise = integerSquareRoot (shiftedQuotient (2 * k) (x * x * n) (y * y))
+      | n == 1 = shiftedQuotient (k + i - l) x' y'
+      | otherwise = integerSquareRoot (shiftedQuotient (2 * (k + i - l) + j) (x' * x' * n') (y' * y'))
+
+-- | The leading bits of a positive integer, at most so many, and how many others were cut off.
+leading :: Int -> Integer -> (Integer, Int)
+leading w a = (a `shiftR` excess, excess)
+  where
+    excess = max 0 (bitLength a - w)
 
 shiftedQuotient :: Int -> Integer -> Integer -> Integer
 shiftedQuotient k a b
@@ -362,6 +393,6 @@ relativeScale p s@(RootSum m) = p + guardBits s - largest
     below n c = (2 * bits (numerator c) + bits n - 2 * bits (denominator c) - 2) `div` 2
     bits a = fromIntegral (integerLog2 (abs a))
 
--- | Bits by which the sum of that many unit intervals is wider than one of them.
+-- | Bits by which the bounds of 'units' are farther apart than one unit.
 guardBits :: RootSum -> Int
-guardBits (RootSum m) = fromIntegral (integerLog2 (toInteger (Map.size m))) + 1
+guardBits (RootSum m) = fromIntegral (integerLog2 (toInteger (Map.size m))) + 2

@@ -175,8 +175,12 @@ spec = do
       fmap terms (fromTerms [(1, 2), (1, -2)]) `shouldBe` Nothing
       fmap terms (timesRoot 1 (-2) (rational 1)) `shouldBe` Nothing
       rootOfRational (-1 % 4) `shouldBe` Nothing
-    it "measures integer vectors" $
-      property $ \x y -> terms (hypotenuse 3 x y) === maybe [] terms (root 3 (x * x + y * y))
+    it "measures integer vectors, by the primitive ones along them" $
+      property $ \x y ->
+        let g = max 1 (gcd x y)
+            whole = root 3 (x * x + y * y)
+            primitive = root (3 * fromInteger g) (x * x `quot` (g * g) + y * y `quot` (g * g))
+         in (Just (hypotenuse 3 x y) === whole) .&&. (terms (hypotenuse 3 x y) === maybe [] terms primitive)
     it "has roots of rationals whose square is the rational" $
       property $ \(NonNegative q) -> (rootOfRational q >>= \r -> timesRootOf r r) === Just (rational q)
     it "multiplies roots" $
@@ -247,6 +251,17 @@ spec = do
       property $ forAll ((,,) <$> choose (1, 10000) <*> coefficient <*> choose (-5, 200)) $ \(n, c, k) ->
         let (low, high) = enclosure k (summed [(abs c, n)]); square = c * c * fromInteger n
          in (low * abs low <= square) .&&. (square <= high * abs high) .&&. ((high - low) * 2 ^^ k <= 1)
+    it "contains a single root of long numbers, of which only the leading bits count" $
+      property $ forAll ((,,,) <$> long <*> long <*> long <*> choose (-700, 700)) $ \(a, b, n, k) ->
+        let (low, high) = enclosure k (summed [(a % b, n)])
+            square = (a % b) * (a % b) * fromInteger n
+            (low', high') = enclosure k (summed [(negate a % b, n)])
+         in (low * abs low <= square)
+              .&&. (square <= high * abs high)
+              .&&. ((high - low) * 2 ^^ k <= 1)
+              .&&. (low' * abs low' <= negate square)
+              .&&. (negate square <= high' * abs high')
+              .&&. ((high' - low') * 2 ^^ k <= 1)
     it "is relative to the largest term if wanted" $
       property $ \s -> forAll (choose (1, 300)) $ \p ->
         let a = build s
@@ -277,6 +292,10 @@ spec = do
       quickly (sign (summed (ts ++ us ++ [(-1 % 10 ^ (1000 :: Int), 3)]))) `shouldReturn` Just Negative
   where
     unspelt (Spelling ts) = ts
+    -- Positive, of up to 700 bits; often all ones, or a one and zeros.
+    long = do
+      bits <- choose (1, 700 :: Int)
+      oneof [choose (2 ^ (bits - 1), 2 ^ bits - 1), pure (2 ^ bits - 1), pure (2 ^ (bits - 1)), pure 1]
     turnedBy order s = case order of
       LT -> opposite s
       EQ -> Zero
