@@ -12,7 +12,7 @@ import Progress (withProgress)
 import Run (printed, streamed, sweeping, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
-import Visibility.Count (count)
+import Visibility.Count (count, countingSigns)
 import Visibility.FormFactor (formFactors, measures)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (factorsDocument)
@@ -20,13 +20,14 @@ import Visibility.Format.Graph (graphLines, selectedPairs, sortedGraphLines)
 import Visibility.Format.Info (infoText)
 import Visibility.View (events)
 
--- | Counts, and the time it took to find them.
+-- | Counts, and the time it took to find them. Of the signs, those of the sweep are counted.
 runInfo :: Common -> IO ()
 runInfo common = withScene common $ \scene -> do
   begun <- getCPUTime
-  counts <- sweeping common scene (\swept -> pure $! count scene (events scene swept))
+  (counts, signs) <- countingSigns scene $ \watched ->
+    sweeping common watched (\swept -> pure $! count scene (events scene swept))
   ended <- getCPUTime
-  printed (stringUtf8 (infoText scene (schedulerChoice common) counts (fromInteger (ended - begun) / 1e12)))
+  printed (stringUtf8 (infoText scene (schedulerChoice common) counts signs (fromInteger (ended - begun) / 1e12)))
 
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()

@@ -23,6 +23,7 @@ module Visibility.Exact.Point
   , Kernel (..)
   , pointsOn
   , withArithmetic
+  , tallied
   , pointAt
   , pointsKernel
   ) where
@@ -34,6 +35,7 @@ import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
+import Visibility.Exact.Tally (Tally)
 
 -- | A point of the plane with exact coordinates, in the units of the file.
 data Point = Point !Rational !Rational
@@ -95,6 +97,8 @@ data Kernel
   | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the
     -- one k that brings all coordinates below 1; the Doubles are at most 1.
     FilterKernel !(U.Vector Double)
+  | -- | As for the filter, whose signs are counted.
+    TallyKernel !Tally !(U.Vector Double)
   | IntegerKernel
   | -- | x and y of corner i at 2i and 2i+1, rounded.
     DoubleKernel !(U.Vector Double)
@@ -115,6 +119,17 @@ fromVector arithmetic exact = Points exact (kernelFor arithmetic exact)
 -- | The same corners, decided about in another way.
 withArithmetic :: Arithmetic -> Points -> Points
 withArithmetic arithmetic = fromVector arithmetic . exactPoints
+
+-- | The same corners, the signs that their filter decides being counted; 'Nothing' where no filter decides.
+--
+-- /Laws/ every predicate has the same value.
+tallied :: Tally -> Points -> Maybe Points
+tallied tally points = case pointsKernel points of
+  FilterKernel xs -> Just points {pointsKernel = TallyKernel tally xs}
+  TallyKernel _ xs -> Just points {pointsKernel = TallyKernel tally xs}
+  MachineKernel _ -> Nothing
+  IntegerKernel -> Nothing
+  DoubleKernel _ -> Nothing
 
 -- | The exact lattice coordinates of a corner. /Requires/ an index below the number of corners.
 pointAt :: Points -> Int -> Vector2

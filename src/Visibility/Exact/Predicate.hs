@@ -26,6 +26,7 @@ module Visibility.Exact.Predicate
 import Data.Int (Int32, Int64)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
+import Visibility.Exact.Tally (counted)
 
 -- | Where the third corner lies, looking from the first to the second.
 data Turn = RightTurn | Collinear | LeftTurn
@@ -62,8 +63,20 @@ headingTurn points a b c d = case pointsKernel points of
   MachineKernel xs -> machineTurn xs a b c d
   FilterKernel xs -> filteredTurn points xs a b c d
   IntegerKernel -> integerTurn points a b c d
-  DoubleKernel xs -> doubleTurn xs a b c d
+  _ -> observedTurn points a b c d
 {-# INLINE headingTurn #-}
+
+-- | 'headingTurn' under the kernels that are there to be measured, kept out of the code that is inlined at every call.
+observedTurn :: Points -> Int -> Int -> Int -> Int -> Turn
+observedTurn points a b c d = case pointsKernel points of
+  TallyKernel tally xs -> case certainTurn xs a b c d of
+    Collinear | mayDiffer a b c d -> counted tally Nothing (integerTurn points a b c d)
+    known -> counted tally (Just known) known
+  DoubleKernel xs -> doubleTurn xs a b c d
+  MachineKernel _ -> integerTurn points a b c d
+  FilterKernel _ -> integerTurn points a b c d
+  IntegerKernel -> integerTurn points a b c d
+{-# NOINLINE observedTurn #-}
 
 -- The extent proved for 'MachineKernel' keeps every intermediate value within 64 bits.
 machineTurn :: U.Vector Int32 -> Int -> Int -> Int -> Int -> Turn
@@ -84,11 +97,13 @@ machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x 
 -- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
 -- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the
 -- sign of the determinant.
-filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Int -> Turn
-filteredTurn points xs a b c d
+
+-- | The turn, if the filter is sure of it. It can be sure of a left or a right turn only: 'Collinear' means that it is not.
+certainTurn :: U.Vector Double -> Int -> Int -> Int -> Int -> Turn
+certainTurn xs a b c d
   | det > bound = LeftTurn
   | det < negate bound = RightTurn
-  | otherwise = integerTurn points a b c d
+  | otherwise = Collinear
   where
     coordinate i k = xs U.! (4 * i + k)
     between i j k = coordinate j k - coordinate i k
@@ -113,8 +128,20 @@ filteredTurn points xs a b c d
         * (1 + 0x1p-40)
         + 0x1p-1000
     unitRoundoff = 0x1p-53
+{-# INLINE certainTurn #-}
+
+filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Int -> Turn
+filteredTurn points xs a b c d = case certainTurn xs a b c d of
+  Collinear | mayDiffer a b c d -> integerTurn points a b c d
+  known -> known
 
 {-# NOINLINE filteredTurn #-}
+
+-- | False for headings that are collinear by their corners alone: one has no length, or both join the same two corners.
+-- The sweeps ask such questions, and in general position no others are left to integers.
+mayDiffer :: Int -> Int -> Int -> Int -> Bool
+mayDiffer a b c d = a /= b && c /= d && (a /= c || b /= d) && (a /= d || b /= c)
+{-# INLINE mayDiffer #-}
 
 integerTurn :: Points -> Int -> Int -> Int -> Int -> Turn
 integerTurn points a b c d = directionTurn (along a b) (along c d)

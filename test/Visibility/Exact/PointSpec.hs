@@ -99,6 +99,7 @@ kernelName :: Points -> String
 kernelName points = case pointsKernel points of
   MachineKernel _ -> "machine"
   FilterKernel _ -> "filter"
+  TallyKernel _ _ -> "tally"
   IntegerKernel -> "integer"
   DoubleKernel _ -> "double"
 

@@ -1,11 +1,13 @@
 module Visibility.Exact.PredicateSpec (spec) where
 
+import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
+import Visibility.Exact.Tally
 
 -- | Three points of a lattice whose corner is the origin: random, or nearly on a line, of every magnitude.
 data Triple = Triple Vector2 Vector2 Vector2
@@ -131,6 +133,19 @@ spec = do
                 === replicate 3 (headingTurn p 0 1 2 3)
       it "is the turn of corners where both begin at one" $
         property $ \t -> let p = under arithmetic t in headingTurn p 0 1 0 2 === turn p 0 1 2
+      it "is collinear by the corners alone" $
+        property $ \(Headings a b c d) ->
+          let p = pointsOn arithmetic [a, b, c, d]
+           in [headingTurn p i j k l | (i, j, k, l) <- [(0, 0, 2, 3), (0, 1, 2, 2), (0, 1, 0, 1), (0, 1, 1, 0)]]
+                === replicate 4 Collinear
+      it "is the same when it is counted, and counted once" $
+        property $ \(Headings a b c d) -> ioProperty $ do
+          let p = pointsOn arithmetic [a, b, c, d]
+          tally <- newTally
+          let found = fmap (\q -> headingTurn q 0 1 2 3) (tallied tally p)
+          same <- evaluate (maybe True (== headingTurn p 0 1 2 3) found)
+          Signs decided left <- signsSoFar tally
+          pure ((same, decided, left <= decided) === (True, length found, True))
   describe "directions" $ do
     it "turn as the corners that make them" $
       property $ \t ->
