@@ -12,12 +12,14 @@ import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
+import Data.Traversable (for)
 import System.Directory (doesFileExist, listDirectory)
 import System.Environment (lookupEnv)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension, (</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
+import System.Timeout (timeout)
 import Test.Hspec
 import Visibility.Scene.Id (CornerName, readCornerName)
 
@@ -239,7 +241,7 @@ spec = do
 
   describe "generate" $
     it "prints scenes that can be read, the same for the same seed" $
-      for_ ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles"] $ \name -> do
+      for_ ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles", "kettner"] $ \name -> do
         let call seed = output ["generate", name, "--size", "5", "--seed", seed] ""
         scene <- call "3"
         again <- call "3"
@@ -325,6 +327,14 @@ spec = do
       (code, out) `shouldBe` (70, "")
       for_ ["law is broken", "unsafe", "The scene was:", "forty digits"] $ \phrase ->
         err `shouldSatisfy` isInfixOf phrase
+    it "of the unsafe arithmetic give a wrong graph or none, where corners are nearly in line" $ do
+      -- Whatever goes wrong stays in a process of its own, with little time and memory.
+      let call name arithmetic =
+            timeout 20000000 $
+              run ["graph", "scenes" </> name <> ".json", "--arithmetic", arithmetic, "+RTS", "-M200m", "-RTS"] ""
+      answers <- for ["kettner-a", "kettner-b"] $ \name -> (,,) name <$> call name "filtered" <*> call name "double"
+      [name | (name, right, _) <- answers, fmap (\(code, _, _) -> code) right /= Just 0] `shouldBe` []
+      [name | (name, right, unsafe) <- answers, unsafe == right] `shouldBe` []
     for_ ["info", "graph", "factors", "complex", "verify"] $ \command -> do
       it ("in syntax and shape end with exit code 3 in " <> command) $ do
         refuses 3 ["standard input"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]]"

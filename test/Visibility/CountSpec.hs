@@ -72,7 +72,7 @@ signs = describe "countingSigns" $ do
       second `shouldBe` first
       none `shouldBe` Just (Signs 0 0)
   it "finds at least each collinear corner left to integers" $
-    forM_ [sampleScene <$> sampleOf (lattice (10 ^ (12 :: Int))), sampleScene <$> sampleOf (lattice (10 ^ (300 :: Int)))] $
+    forM_ [sampleScene <$> sampleOf (lattice (10 ^ k)) | k <- [12, 300 :: Int]] $
       maybe (expectationFailure "no scene") $ \scene -> do
         let collinear = sum [length (vertexCorners v) - 2 | v <- bruteForce scene]
         collinear `shouldSatisfy` (> 20)

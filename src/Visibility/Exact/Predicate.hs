@@ -98,7 +98,8 @@ machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x 
 -- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the
 -- sign of the determinant.
 
--- | The turn, if the filter is sure of it. It can be sure of a left or a right turn only: 'Collinear' means that it is not.
+-- | The turn, if the filter is sure of it. It can be sure of a left or a right turn only: 'Collinear' means that it is
+-- not.
 certainTurn :: U.Vector Double -> Int -> Int -> Int -> Int -> Turn
 certainTurn xs a b c d
   | det > bound = LeftTurn
@@ -137,8 +138,8 @@ filteredTurn points xs a b c d = case certainTurn xs a b c d of
 
 {-# NOINLINE filteredTurn #-}
 
--- | False for headings that are collinear by their corners alone: one has no length, or both join the same two corners.
--- The sweeps ask such questions, and in general position no others are left to integers.
+-- | False for headings that are collinear by their corners alone: one has no length, or both join the same two
+-- corners. The sweeps ask such questions, and without this they would all be left to integers.
 mayDiffer :: Int -> Int -> Int -> Int -> Bool
 mayDiffer a b c d = a /= b && c /= d && (a /= c || b /= d) && (a /= d || b /= c)
 {-# INLINE mayDiffer #-}

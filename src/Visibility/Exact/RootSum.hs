@@ -356,8 +356,8 @@ units k (RootSum m) = (low, low + 2 * toInteger (Map.size m))
 
 -- | An integer a with a ≤ c √n 2ᵏ ≤ a + 2.
 --
--- x, y and n are cut to their leading w bits, downwards but for y. The relative losses of x and n are below 2¹⁻ʷ, that of
--- y at most 2¹⁻ʷ, and that of the root less than their sum. The result is below 2ʷ⁻⁸, so it loses less than 1 by the
+-- x, y and n are cut to their leading w bits, downwards but for y. The relative losses of x and n are below 2¹⁻ʷ, that
+-- of y at most 2¹⁻ʷ, and that of the root less than their sum. The result is below 2ʷ⁻⁸, so it loses less than 1 by the
 -- cutting, and less than 1 by being rounded down.
 lowerUnits :: Int -> Integer -> Rational -> Integer
 lowerUnits k n c = if c > 0 then magnitude else negate magnitude - 2

@@ -46,8 +46,8 @@ signsSoFar (Tally cells) = Signs <$> M.read cells 0 <*> M.read cells 1
 -- with counters of their own.
 --
 -- The count itself is what has been evaluated: if the compiler shares two equal calls, one sign is decided and one is
--- counted. Nothing else is shared, since every call has its own arguments, and 'counted' is not inlined. Two threads that
--- evaluate signs at one time may lose counts, nothing more; hence no lock.
+-- counted. Nothing else is shared, since every call has its own arguments, and 'counted' is not inlined. Two threads
+-- that evaluate signs at one time may lose counts, nothing more; hence no lock.
 
 -- | @counted tally answer behind@ is the answer of a filter, or what integers find behind it if there is none; the sign
 -- is counted.

@@ -11,8 +11,8 @@ import Visibility.Exact.Point
 import Visibility.Scene
 import Visibility.Sweep (Scheduler (..))
 
--- | A line for each size. The last arguments are the signs that the sweep asked of the filter, if there was one, and the
--- seconds of processor time that the sweep took.
+-- | A line for each size. The last arguments are the signs that the sweep asked of the filter, if there was one, and
+-- the seconds of processor time that the sweep took.
 infoText :: Scene -> Scheduler -> Counts -> Maybe Signs -> Double -> String
 infoText scene scheduler counts signs seconds =
   unlines

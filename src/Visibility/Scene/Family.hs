@@ -3,8 +3,9 @@
 -- | Named families of scenes by size and seed: inputs for trials, tests and benchmarks.
 --
 -- A scene is a pure function of family, size and seed, the same for all time. All coordinates are integers; up to 2¹⁴
--- corners they stay below 2³¹, so that machine integers decide. Every scene is valid by construction: each polygon has
--- a cell of its own and stays strictly inside it.
+-- corners they stay below 2³¹, so that machine integers decide. The exception is 'Kettner': its coordinates are
+-- Doubles, and too fine for machine integers. Every scene is valid by construction: each polygon has a cell of its own
+-- and stays strictly inside it.
 module Visibility.Scene.Family
   ( -- * Families
     Family (..)
@@ -26,6 +27,7 @@ import qualified Data.Text as Text
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.IntegerRoot (exactSquareRoot, integerSquareRoot)
 import Visibility.Scene.Family.Draw
+import Visibility.Scene.Family.Kettner (kettner, kettnerUnit)
 import Visibility.Scene.Raw
 
 -- | A kind of scene.
@@ -46,6 +48,9 @@ data Family
     ThinWalls
   | -- | Long slender triangles that are nearly parallel.
     Needles
+  | -- | Tiny triangles near (1/2, 1/2), in line, nearly or exactly, with a corner at (12, 12) and one at (24, 24):
+    -- where Doubles go wrong. See "Visibility.Scene.Family.Kettner".
+    Kettner
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The family's name on the command line.
@@ -58,6 +63,7 @@ familyName kind = case kind of
   Comb -> "comb"
   ThinWalls -> "thin-walls"
   Needles -> "needles"
+  Kettner -> "kettner"
 
 -- | /Law/ @familyNamed (familyName f) == Just f@.
 familyNamed :: Text -> Maybe Family
@@ -73,8 +79,10 @@ familyPurpose kind = case kind of
   Comb -> "two combs of N rectangular teeth each, facing each other; non-convex"
   ThinWalls -> "N thin walls in random directions"
   Needles -> "N long slender triangles, nearly parallel"
+  Kettner -> "N tiny triangles in line with two others, nearly or exactly: where Doubles go wrong"
 
--- | How many polygons a scene has ('Comb': teeth of each comb; 'Room': obstacles in the room). At least 1.
+-- | How many polygons a scene has ('Comb': teeth of each comb; 'Room': obstacles in the room; 'Kettner': tiny ones, two
+-- large ones come before them). At least 1.
 newtype Size = Size Int
   deriving (Eq, Ord, Show)
 
@@ -104,9 +112,12 @@ family kind (Size n) seed@(Seed s) =
     , rawPolygons = map (rawPolygon . map point) (obstacles kind n seed)
     }
   where
-    point (x, y) = Point (fromInteger x) (fromInteger y)
+    point (x, y) = Point (unit * fromInteger x) (unit * fromInteger y)
+    unit = case kind of
+      Kettner -> kettnerUnit
+      _ -> 1
 
--- | The coordinates of a point or a vector.
+-- | The coordinates of a point or a vector, in units of the family.
 type Pair = (Integer, Integer)
 
 obstacles :: Family -> Int -> Seed -> [[Pair]]
@@ -118,6 +129,7 @@ obstacles kind n seed = case kind of
   Comb -> combs n seed
   ThinWalls -> scattered randomCell wall
   Needles -> [runDraw seed k (needle (cell k)) | k <- [0 .. n - 1]]
+  Kettner -> kettner n seed
   where
     scattered edge shape = [runDraw seed k (shape >>= turnedAtRandom >>= within edge (cell k)) | k <- [0 .. n - 1]]
 

@@ -35,7 +35,8 @@ spec = describe "infoText" $ do
   it "says how many signs there were, and how many the filter left to integers" $ do
     fmap (line "signs" . shown Filtered (Just (Signs 123456 383))) huge
       `shouldBe` Just ["123456, of them 383 (0.31 %) left to integers"]
-    fmap (line "signs" . shown Filtered (Just (Signs 0 0))) huge `shouldBe` Just ["0, of them 0 (0.00 %) left to integers"]
+    fmap (line "signs" . shown Filtered (Just (Signs 0 0))) huge
+      `shouldBe` Just ["0, of them 0 (0.00 %) left to integers"]
     fmap (line "signs" . shown Filtered (Just (Signs 100000 1))) huge
       `shouldBe` Just ["100000, of them 1 (less than 0.01 %) left to integers"]
     fmap (line "signs" . told Exact) square `shouldBe` Just ["all in integers of any size"]
