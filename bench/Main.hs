@@ -99,6 +99,7 @@ ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
     perPolygon = case kind of
       Comb -> 8
       ThinWalls -> 2
+      Maze -> 2
       Needles -> 3
       _ -> 4
 

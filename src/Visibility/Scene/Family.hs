@@ -51,6 +51,12 @@ data Family
   | -- | Tiny triangles near (1/2, 1/2), in line, nearly or exactly, with a corner at (12, 12) and one at (24, 24):
     -- where Doubles go wrong. See "Visibility.Scene.Family.Kettner".
     Kettner
+  | -- | Unit squares that touch at their corners, as the dark squares of a chessboard do.
+    Checkerboard
+  | -- | Unit squares in rows, side by side: they touch along sides, with alleys between the rows.
+    Terraces
+  | -- | Thin walls of unit length in a square lattice, which meet at their ends and may close off pockets.
+    Maze
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The family's name on the command line.
@@ -64,6 +70,9 @@ familyName kind = case kind of
   ThinWalls -> "thin-walls"
   Needles -> "needles"
   Kettner -> "kettner"
+  Checkerboard -> "checkerboard"
+  Terraces -> "terraces"
+  Maze -> "maze"
 
 -- | /Law/ @familyNamed (familyName f) == Just f@.
 familyNamed :: Text -> Maybe Family
@@ -80,6 +89,9 @@ familyPurpose kind = case kind of
   ThinWalls -> "N thin walls in random directions"
   Needles -> "N long slender triangles, nearly parallel"
   Kettner -> "N tiny triangles in line with two others, nearly or exactly: where Doubles go wrong"
+  Checkerboard -> "N unit squares that touch at their corners"
+  Terraces -> "N unit squares that touch along their sides, in rows"
+  Maze -> "N thin walls that meet at their ends"
 
 -- | How many polygons a scene has ('Comb': teeth of each comb; 'Room': obstacles in the room; 'Kettner': tiny ones, two
 -- large ones come before them). At least 1.
@@ -96,7 +108,7 @@ sizeCount (Size n) = n
 
 -- | The scene of a family, named by family, size and seed.
 --
--- /Degenerate cases/ 'Grid' does not depend on the seed.
+-- /Degenerate cases/ 'Grid', 'Checkerboard' and 'Terraces' do not depend on the seed.
 --
 -- /Cost/ O(n).
 --
@@ -124,13 +136,17 @@ obstacles :: Family -> Int -> Seed -> [[Pair]]
 obstacles kind n seed = case kind of
   Random -> scattered 4640000 (quadrilateral 700 1000)
   Sparse -> scattered (2 * randomCell) (quadrilateral 90 130)
-  Grid -> [map (moved (2 * i, 2 * j)) [(0, 0), (1, 0), (1, 1), (0, 1)] | (i, j) <- map cell [0 .. n - 1]]
+  Grid -> squares (\(i, j) -> (2 * i, 2 * j))
   Room -> map (map (moved (roomMargin, roomMargin))) (scattered (2 * randomCell) (quadrilateral 700 1000))
   Comb -> combs n seed
   ThinWalls -> scattered randomCell wall
   Needles -> [runDraw seed k (needle (cell k)) | k <- [0 .. n - 1]]
   Kettner -> kettner n seed
+  Checkerboard -> squares (\(i, j) -> (i + j, i - j))
+  Terraces -> squares (\(i, j) -> (i, 2 * j))
+  Maze -> [runDraw seed k (latticeWall (cell k)) | k <- [0 .. n - 1]]
   where
+    squares place = [map (moved (place (cell k))) [(0, 0), (1, 0), (1, 1), (0, 1)] | k <- [0 .. n - 1]]
     scattered edge shape = [runDraw seed k (shape >>= turnedAtRandom >>= within edge (cell k)) | k <- [0 .. n - 1]]
 
 -- | The cell of a polygon: cells fill growing squares, so that n of them lie in a square of ⌈√n⌉ columns and rows, and
@@ -160,6 +176,12 @@ wall = do
   left <- between (-100) 100
   right <- between (-100) 100
   pure [(-a, left), (a, right)]
+
+-- | One of the two walls of unit length that lead to the right and up from a point of the lattice.
+latticeWall :: Pair -> Draw [Pair]
+latticeWall (i, j) = do
+  up <- between 0 1
+  pure [(i, j), (i + 1 - up, j + up)]
 
 -- | Turns a shape by one of 108 exact angles, and makes it 1105 times as large.
 turnedAtRandom :: [Pair] -> Draw [Pair]

@@ -22,7 +22,8 @@ spec = do
       map (familyNamed . familyName) [minBound ..] `shouldBe` map Just [minBound ..]
     it "are the promised ones, and no others" $ do
       map familyName [minBound ..]
-        `shouldBe` map Text.pack ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles", "kettner"]
+        `shouldBe` map Text.pack ["random", "sparse", "grid", "room", "comb", "thin-walls", "needles", "kettner"
+            , "checkerboard", "terraces", "maze"]
       familyNamed (Text.pack "Random") `shouldBe` Nothing
     it "come with a line of purpose each" $
       [ Text.length (Text.strip (familyPurpose kind)) > 10 && not (Text.any (== '\n') (familyPurpose kind))
@@ -46,7 +47,7 @@ spec = do
         [ allCorners (family kind s (Seed 1)) == allCorners (family kind s (Seed 2))
         | s <- mapMaybe size [5]
         ]
-          `shouldBe` [kind == Grid]
+          `shouldBe` [kind `elem` [Grid, Checkerboard, Terraces]]
       it "carries its family, size and seed as its name" $
         [rawName (family kind s (Seed 7)) | s <- mapMaybe size [5]]
           `shouldBe` [Just (Text.append (familyName kind) (Text.pack "-5-7"))]
@@ -74,8 +75,14 @@ spec = do
       turnsOf ThinWalls `shouldBe` [2]
       turnsOf Needles `shouldBe` [3]
       turnsOf Kettner `shouldBe` [3]
+      turnsOf Checkerboard `shouldBe` [4]
+      turnsOf Terraces `shouldBe` [4]
+      turnsOf Maze `shouldBe` [2]
       turnsOf Comb `shouldBe` [4 * 9 + 4]
       map (isJust . rawEnclosure . sceneOf) [minBound ..] `shouldBe` map (== Room) [minBound ..]
+    it "touch where they are made to touch, and nowhere else" $
+      [kind | kind <- [minBound ..], Right scene <- [validate (sceneOf kind)], sceneContacts scene > 0]
+        `shouldBe` [Checkerboard, Terraces, Maze]
     it "random has some 150 000 visible pairs at size 1000" $
       [pairs | pairs <- map (pairsOf Random 1000) [1], pairs < 135000 || pairs > 165000] `shouldBe` []
     it "random keeps its pairs per corner, sparse multiplies them" $ do
@@ -91,7 +98,7 @@ spec = do
       where
         xs = [x | Point x _ <- allCorners raw]
         ys = [y | Point _ y <- allCorners raw]
-    cornersEach kind = case kind of Comb -> 8; ThinWalls -> 2; Needles -> 3; _ -> 4
+    cornersEach kind = case kind of Comb -> 8; ThinWalls -> 2; Maze -> 2; Needles -> 3; _ -> 4
     sceneOf kind = maybe (RawScene Nothing Nothing []) (\s -> family kind s (Seed 3)) (size 9)
     turnsOf kind = nub (map (length . rawCorners) (rawPolygons (sceneOf kind)))
     pairsOf kind n seed =
