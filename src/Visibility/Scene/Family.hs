@@ -5,7 +5,7 @@
 -- A scene is a pure function of family, size and seed, the same for all time. All coordinates are integers; up to 2¹⁴
 -- corners they stay below 2³¹, so that machine integers decide. The exception is 'Kettner': its coordinates are
 -- Doubles, and too fine for machine integers. Every scene is valid by construction: each polygon has a cell of its own
--- and stays strictly inside it.
+-- and stays strictly inside it, but in the families that are made to touch.
 module Visibility.Scene.Family
   ( -- * Families
     Family (..)
