@@ -16,7 +16,7 @@ import Visibility.Count (count, countingSigns)
 import Visibility.FormFactor (formFactors, measures)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (factorsDocument)
-import Visibility.Format.Graph (graphLines, selectedPairs, sortedGraphLines)
+import Visibility.Format.Graph (graphLines, sortedGraphLines)
 import Visibility.Format.Info (infoText)
 import Visibility.View (events)
 
@@ -32,11 +32,9 @@ runInfo common = withScene common $ \scene -> do
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()
 runGraph common options = withScene common $ \scene ->
-  sweeping common scene $ \swept -> do
-    let pairs = selectedPairs scene (pairSelection options) swept
-    case lineOrder options of
-      ByName -> printed (sortedGraphLines scene pairs)
-      AsSwept -> streamed (graphLines scene pairs)
+  sweeping common scene $ \swept -> case lineOrder options of
+    ByName -> printed (sortedGraphLines scene (pairSelection options) swept)
+    AsSwept -> streamed (graphLines scene (pairSelection options) swept)
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
