@@ -190,6 +190,7 @@ affinities =
 extremeScenes :: [(String, RawScene)]
 extremeScenes =
   [ ("1e300 times as large as an ordinary one", onPoints (scaledTo huge huge) ordinary)
+  , ("1e300 times as long and 1e-300 times as high", onPoints (scaledTo huge (1 / huge)) ordinary)
   , ("sheared by 1e300", onPoints (\(Point x y) -> Point (x + huge * y) y) ordinary)
   ,
     ( "of corners 1e-300 and 1e300 from each other"

@@ -95,7 +95,8 @@ data Kernel
     -- of two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
     MachineKernel !(U.Vector Int32)
   | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the
-    -- one k that brings all coordinates below 1; the Doubles are at most 1.
+    -- one k for all x, and the one for all y, that brings them below 1; the Doubles are at most 1. Signs of determinants
+    -- do not change when an axis is scaled.
     FilterKernel !(U.Vector Double)
   | -- | As for the filter, whose signs are counted.
     TallyKernel !Tally !(U.Vector Double)
@@ -147,12 +148,13 @@ kernelFor Filtered exact
   | otherwise = FilterKernel (U.fromList (concatMap bounded (V.toList exact)))
   where
     extent = extentOf exact
-    k = binaryOrder exact
+    orderX = bitLength (V.foldl' (\acc (Vector2 x _) -> max acc x) 0 exact)
+    orderY = bitLength (V.foldl' (\acc (Vector2 _ y) -> max acc y) 0 exact)
     machine (Vector2 x y) = [fromInteger x, fromInteger y]
     bounded (Vector2 x y) =
-      let !dx = scaledDouble k x
-          !dy = scaledDouble k y
-       in [dx, dy, errorBound k x dx, errorBound k y dy]
+      let !dx = scaledDouble orderX x
+          !dy = scaledDouble orderY y
+       in [dx, dy, errorBound orderX x dx, errorBound orderY y dy]
 
 -- | The largest coordinate.
 extentOf :: V.Vector Vector2 -> Integer

@@ -69,9 +69,10 @@ spec = do
     it "bounds the rounding of every Double of the filter, and knows where nothing was rounded" $
       property $ \(BeyondMachine extents) -> case pointsKernel (pointsOn Filtered extents) of
         FilterKernel xs ->
-          let extent = maximum (concat [[x, y] | Vector2 x y <- extents])
-              k = length (takeWhile (<= extent) (iterate (* 2) 1))
-              exact = concat [[x % 2 ^ k, y % 2 ^ k] | Vector2 x y <- extents]
+          let order extent = length (takeWhile (<= extent) (iterate (* 2) 1))
+              orderX = order (maximum [x | Vector2 x _ <- extents])
+              orderY = order (maximum [y | Vector2 _ y <- extents])
+              exact = concat [[x % 2 ^ orderX, y % 2 ^ orderY] | Vector2 x y <- extents]
               stored = concat [[pair i, pair (i + 1)] | i <- [0, 4 .. U.length xs - 4]]
               pair i = (xs U.! i, xs U.! (i + 2))
            in conjoin
