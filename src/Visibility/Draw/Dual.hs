@@ -88,20 +88,21 @@ dualDrawing scene stream =
     axes = axisMarks frame
 
     (labels, leaders, unlabelled)
-      | cornerCount scene <= 24 = placeLabels scenery [request c group | group@(c : _) <- placeGroups scene]
+      | cornerCount scene <= 24 = placeLabels scenery (map request (placeGroups scene))
       | otherwise = ([], [], [])
-    -- One label for all corners in one place: they have one curve.
-    request c group =
+    -- Corners in one place have one curve.
+    request here =
       Request name CornerLabel name $
         [ Seat (onCanvas frame (theta, heightAt frame c theta)) (slope + turned) (pi / 4)
         | edge <- allEdges
-        , edgeCorner edge `elem` group
+        , let c = edgeCorner edge
+        , c `elem` here
         , theta <- samples 6 edge
         , let slope = atan (slopeOnCanvas frame c theta)
         , turned <- [pi / 2, -pi / 2]
         ]
       where
-        name = Text.pack (unwords (map cornerText (namesHere scene c)))
+        name = Text.pack (unwords (map cornerText (concatMap (namesHere scene) (take 1 here))))
     Box left bottom right top = plot
     scenery =
       Obstruction
@@ -171,11 +172,13 @@ data Frame = Frame
   }
 
 -- | The frame that all curves and vertices of the stream fit in.
+--
+-- /Degenerate cases/ where all of a room is filled, there is nothing to fit in.
 frameFor :: Scene -> [Event] -> Frame
 frameFor scene stream = unfitted {frameLow = low - margin, frameHigh = high + margin}
   where
     points = map (cornerPoint scene) (corners scene)
-    (xs, ys) = ([x | Point x _ <- points], [y | Point _ y <- points])
+    (xs, ys) = unzip [(x, y) | (_, Point x y) <- statedCorners scene]
     span' values = maximum values - minimum values
     middle values = (maximum values + minimum values) / 2
     unit = max (span' xs) (span' ys)
@@ -192,7 +195,9 @@ frameFor scene stream = unfitted {frameLow = low - margin, frameHigh = high + ma
         , frameLow = -1
         , frameHigh = 1
         }
-    Range low high = foldl' (\(Range a b) (_, u) -> Range (min a u) (max b u)) (Range (1 / 0) (-1 / 0)) drawn
+    Range low high
+      | null drawn = Range (-1) 1
+      | otherwise = foldl' (\(Range a b) (_, u) -> Range (min a u) (max b u)) (Range (1 / 0) (-1 / 0)) drawn
     drawn = concatMap (edgeSamples unfitted) (stretches scene stream) <> concatMap (eventPoints scene unfitted) stream
     margin = max 1e-3 (0.03 * (high - low))
 

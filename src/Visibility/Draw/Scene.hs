@@ -70,7 +70,7 @@ sceneDrawing scene vertices =
         , clearance = 1.5
         }
     (labels, leaders, unlabelled)
-      | fewCorners scene = placeLabels scenery (cornerRequests scene place)
+      | fewCorners scene = placeLabels scenery (cornerRequests scene frame)
       | otherwise = (mapMaybe (polygonLabel (placeOfPoint scene frame) (concatMap wideLines lights)) (scenePolygons scene), [], [])
 
     width = canvasWidth

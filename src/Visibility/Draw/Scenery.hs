@@ -34,6 +34,7 @@ module Visibility.Draw.Scenery
   , titleMark
   ) where
 
+import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -214,8 +215,8 @@ flatCornerMarks scene frame =
   [ Mark (Text.pack (cornerText (cornerName scene c))) VertexDot (Dot (placeOf scene frame c))
   | fewCorners scene
   , c@(CornerId i) <- corners scene
+  , not (isWallEnd scene c)
   , let (CornerId before, CornerId after) = (previousCorner scene c, nextCorner scene c)
-  , before /= after
   , turn (scenePoints scene) before i after == Collinear
   ]
 
@@ -242,14 +243,25 @@ dotBoxes :: [Mark] -> [Box]
 dotBoxes marks = [widened (dotRadius Sparse style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
 
 -- | A label for each place with corners, with all their names. It had best lie where the free angle is widest, opposite the
--- solid.
-cornerRequests :: Scene -> (CornerId -> Place) -> [Request]
-cornerRequests scene place = [cornerRequest scene place c group | group@(c : _) <- placeGroups scene]
+-- solid; where all is solid, anywhere.
+cornerRequests :: Scene -> Frame -> [Request]
+cornerRequests scene frame =
+  [cornerRequest scene (placeOf scene frame) c group | group@(c : _) <- placeGroups scene]
+    <> [coveredRequest (placeOfPoint scene frame point) names | (point, names) <- Map.toList coveredPlaces]
+  where
+    coveredPlaces =
+      Map.fromListWith
+        (flip (<>))
+        [(point, [name]) | (name, point) <- statedCorners scene, Just [] <- [cornersNamed scene name]]
+    coveredRequest here names = let text = namesText names in Request text CornerLabel text [Seat here (-pi / 2) pi]
+
+namesText :: [CornerName] -> Text
+namesText = Text.pack . unwords . map cornerText
 
 cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> [CornerId] -> Request
 cornerRequest scene place c group = Request name CornerLabel name [Seat here outward pi]
   where
-    name = Text.pack (unwords (map cornerText (namesHere scene c)))
+    name = namesText (namesHere scene c)
     here = place c
     outward = snd (maximum (map cone group))
     -- Free space runs counter-clockwise from the preceding side to the following one: how wide, and its middle.

@@ -73,7 +73,6 @@ viewDrawing scene figure =
   where
     title = titleOf scene figure <> fromMaybe "untitled scene" (sceneTitle scene)
     frame = frameFor foot scene (viewpointOf figure)
-    place = placeOf scene frame
     polygons = polygonMarks scene frame
     (region', limits) = regionMarks scene frame figure
     seen = sideMarks scene frame figure
@@ -92,7 +91,7 @@ viewDrawing scene figure =
         }
     (labels, leaders, unlabelled) = case labelled of
       PolygonLabels -> (mapMaybe (polygonLabel (placeOfPoint scene frame) underneath) (scenePolygons scene), [], [])
-      CornerLabels -> placeLabels obstruction (cornerRequests scene place)
+      CornerLabels -> placeLabels obstruction (cornerRequests scene frame)
       -- The caption has what finds no room.
       SideLabels ->
         let (found, thin, _) = placeLabels obstruction (sideRequests scene frame figure) in (found, thin, [])
