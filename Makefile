@@ -137,6 +137,33 @@ demo: build ## run the main job on scenes/, into out/
 	echo
 	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg, dual.svg and view.svg; numbers are in graph.txt, factors.csv, complex.json and info.txt beside them."
 
+# The figures of docs/degeneracies.md that show more than the scene with its free bitangents.
+define FIGURE_OF
+figure_of() {
+  case "$$1" in
+    wall-alone|parallel|verticals|aligned-walls|separated|wall-straight) echo dual ;;
+    behind-ends|behind-goes-on) echo view --corner 0.0 ;;
+    tips-apart|tips-touch|grazing-a-contact) echo view --corner 2.0 ;;
+    corner-on-side|side-overhang) echo view --side 0.2 ;;
+    wall-along-side) echo view --side 0.0 ;;
+    several-contacts) echo view --corner 0.3 ;;
+    fan|walls-L) echo view --corner 0.0 ;;
+    ring-of-three) echo view --from 1,1/2 ;;
+    divided-room) echo view --corner E.0 ;;
+    *) echo scene ;;
+  esac
+}
+endef
+
+.PHONY: degenerate
+degenerate: build ## draw the figures of docs/degeneracies.md anew, from scenes/degenerate
+	@$(FIGURE_OF)
+	mkdir -p docs/figures/degenerate
+	for scene in scenes/degenerate/*.json; do
+	  name=$$(basename "$$scene" .json)
+	  "$(EXE)" draw $$(figure_of "$$name") "$$scene" -o "docs/figures/degenerate/$$name.svg"
+	done
+
 # hspec's summary is "N examples, N failures[, N pending]". A pending test counts as failed, and so does a run that
 # ends without a summary or without a single test.
 define COUNT
