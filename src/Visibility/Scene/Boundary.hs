@@ -17,13 +17,15 @@ module Visibility.Scene.Boundary
   , freeCorners
   ) where
 
-import Data.List (groupBy, sortBy, sortOn)
+import Data.List (sortBy, sortOn)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
 import Data.Function (on)
 import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
+import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes
@@ -181,6 +183,8 @@ insideArc o x (a, b) c = case to a b of
 data FreeCorner = FreeCorner
   { freePlace :: !Int
   -- ^ A stated corner in its place.
+  , freeNumber :: !Int
+  -- ^ The number of its place among all places with corners, in lexicographic order.
   , freeName :: !CornerName
   -- ^ The first of the stated corners in its place that belong to a polygon on one of its flanks.
   , freeSide :: !SideName
@@ -193,7 +197,7 @@ data FreeCorner = FreeCorner
 -- by stated corners.
 data Face = Face !Int !Int !SideName
 
--- | All corners of the boundary.
+-- | All corners of the boundary, by place in lexicographic order; in one place by name, and then by side.
 --
 -- /Degenerate cases/ a stated corner that is all covered has none, one in several cones of free space has several. Where
 -- all of a room is filled, there are none.
@@ -202,11 +206,20 @@ data Face = Face !Int !Int !SideName
 -- sides there.
 freeCorners :: Outline -> [Contact] -> [FreeCorner]
 freeCorners o found =
-  [ FreeCorner from (nameAt from [side, arriving]) side (followers U.! f)
-  | (f, Face from _ side) <- zip [0 ..] (V.toList faces)
-  , let Face _ _ arriving = faces V.! (leaders U.! f)
+  [ FreeCorner from (placeId U.! from) name side (ranks U.! (followers U.! f))
+  | (name, f) <- ordered
+  , let Face from _ side = faces V.! f
   ]
   where
+    -- The faces by where they begin, place by place and by name in each, with the names of the corners there.
+    ordered = concatMap (inNameOrder . map named') (V.toList starting)
+    inNameOrder fs@[_] = fs
+    inNameOrder fs = sortOn (\(name, f) -> let Face _ _ side = faces V.! f in (name, side)) fs
+    named' f = (nameAt from [side, arriving], f)
+      where
+        Face from _ side = faces V.! f
+        Face _ _ arriving = faces V.! (leaders U.! f)
+    ranks = U.replicate (V.length faces) 0 U.// zip (map snd ordered) [0 ..]
     faces = V.fromList (exposed o found)
     placeId = placeIds o
     -- By place: the faces that begin there, in the order of their angles if there are several.
@@ -236,9 +249,12 @@ freeCorners o found =
 
 -- | Places by number, in lexicographic order.
 placeIds :: Outline -> U.Vector Int
-placeIds o = U.replicate (V.length (outlinePoints o)) 0 U.// concat (zipWith (\k is -> [(i, k) | i <- is]) [0 ..] groups)
+placeIds o = U.replicate total 0 U.// zip (U.toList order) (U.toList numbers)
   where
-    groups = groupBy ((==) `on` placeOf o) (sortOn (placeOf o) (concatMap (cornersOf o) (polygonIndices o)))
+    total = V.length (outlinePoints o)
+    order = U.modify (Intro.sortBy (comparing (placeOf o))) (U.enumFromN 0 total)
+    numbers = U.take total (U.scanl' (+) 0 (U.zipWith step order (U.drop 1 order)))
+    step i j = if placeOf o i == placeOf o j then 0 else 1
 
 -- | The order of directions from a place, each given by the place and another one: counter-clockwise, from the one that
 -- leads down, and from there on to the right.

@@ -54,7 +54,7 @@ module Visibility.Scene.Type
 
 import Data.Char (isControl)
 import Data.Int (Int32)
-import Data.List (groupBy, sortOn)
+import Data.List (groupBy)
 import Data.Function (on)
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
@@ -91,7 +91,7 @@ data Scene = Scene
   , neighbourTable :: !(U.Vector Int32)
   -- ^ 'nextCorner' and 'previousCorner' of corner i at 2i and 2i+1: close together, as the sweep asks for both.
   , placeNumbers :: !(U.Vector Int32)
-  -- ^ By corner, the number of its place in lexicographic order.
+  -- ^ By corner, the number of its place in lexicographic order; places without free space are counted too.
   , hasSharedPlaces :: !Bool
   -- ^ Are several corners in one place, of the file or of free space?
   , splitEnds :: !(U.Vector Bool)
@@ -99,7 +99,7 @@ data Scene = Scene
   , cornerNames :: !(V.Vector CornerName)
   , sideNames :: !(V.Vector SideName)
   , cornersByName :: (Map.Map CornerName [CornerId])
-  , namesByPlace :: (V.Vector [CornerName])
+  , namesByCorner :: (V.Vector [CornerName])
   , piecesByName :: (Map.Map SideName [SideId])
   , sceneContacts :: !Int
   -- ^ How many places there are where stated corners touch other corners or sides.
@@ -142,12 +142,12 @@ assemble title touching polygons boundary =
     , scenePoints = points
     , neighbourTable = neighbours
     , placeNumbers = places
-    , hasSharedPlaces = length byPlace /= n || Map.size namesAt /= V.length stated
+    , hasSharedPlaces = touching > 0 || U.or (U.zipWith (==) places (U.drop 1 places))
     , splitEnds = if U.or split then split else U.empty
     , cornerNames = V.map freeName free
     , sideNames = V.map freeSide free
     , cornersByName = Map.fromList [(name, here) | (at, names) <- Map.toList namesAt, let here = cornersAt at, name <- names]
-    , namesByPlace = V.fromList [names | group <- byPlace, (at, _) : _ <- [group], let names = Map.findWithDefault [] at namesAt]
+    , namesByCorner = V.fromList [Map.findWithDefault [] (placeOf f) namesAt | f <- boundary]
     , piecesByName =
         Map.fromListWith (flip (<>)) [(freeSide f, [SideId i]) | (i, f) <- zip [0 ..] (V.toList free)]
     , sceneContacts = touching
@@ -164,18 +164,14 @@ assemble title touching polygons boundary =
         , (k, point) <- zip [0 ..] (statedPoints polygon)
         ]
     placeOf f = fst (stated V.! freePlace f)
-    -- The order of corners: by place, and in one place by names.
-    ordered = sortOn (\(_, f) -> (placeOf f, freeName f, freeSide f)) (zip [0 ..] boundary)
-    free = V.fromList (map snd ordered)
+    free = V.fromList boundary
     n = V.length free
-    ranks = U.replicate n 0 U.// zip (map fst ordered) [0 ..] :: U.Vector Int
-    points = pointsOn Filtered (map (placeOf . snd) ordered)
-    following = U.fromList [ranks U.! freeNext f | f <- V.toList free]
+    points = pointsOn Filtered (map placeOf boundary)
     neighbours =
       U.replicate (2 * n) 0
-        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] (U.toList following)]
-    byPlace = groupBy ((==) `on` fst) (zip (map (placeOf . snd) ordered) (map CornerId [0 ..]))
-    places = U.fromList (concat (zipWith (\k group -> map (const k) group) [0 ..] byPlace))
+        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] (map freeNext boundary)]
+    places = U.fromListN n (map (fromIntegral . freeNumber) boundary)
+    byPlace = groupBy ((==) `on` fst) (zip (map placeOf boundary) (map CornerId [0 ..]))
     cornersByPlace = Map.fromList [(at, map snd group) | group@((at, _) : _) <- byPlace]
     cornersAt at = Map.findWithDefault [] at cornersByPlace
     namesAt = Map.fromListWith (flip (<>)) [(at, [name]) | (at, name) <- V.toList stated]
@@ -263,7 +259,7 @@ cornerName scene (CornerId c) = cornerNames scene V.! c
 
 -- | All corners of the file in the place of this one, in order.
 namesHere :: Scene -> CornerId -> [CornerName]
-namesHere scene (CornerId c) = namesByPlace scene V.! fromIntegral (placeNumbers scene U.! c)
+namesHere scene (CornerId c) = namesByCorner scene V.! c
 
 -- | The corners of free space in the place of a corner of the file: one for each cone, none where it is all covered;
 -- 'Nothing' if the file has no such corner.
