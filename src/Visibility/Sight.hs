@@ -42,7 +42,8 @@ viewpointAt (AtPoint point) = point
 -- | The rays from a point, counter-clockwise from one direction to another, that all end at one object.
 --
 -- /Shape/ all sights of a point are listed counter-clockwise, each beginning where the one before ends. Where that is
--- not so, at one place in the middle or from the last to the first, the rays between lead into the solid.
+-- not so, in the middle or from the last to the first, the rays between lead into the solid: in one place, or in several
+-- where polygons touch.
 --
 -- /Degenerate cases/ equal directions stand for a full turn, never for none.
 data Sight = Sight
@@ -54,18 +55,19 @@ data Sight = Sight
   deriving (Eq, Ord, Show)
 
 -- | All sights of a point in one form: neighbours that end at one object are one sight, directions are primitive, the
--- list begins after the gap of solid rays if there is one, else with the sight that begins first, turning from (1, 0)
--- on.
+-- list begins after a gap of solid rays if there is one, else with any sight: of those to choose from, with the one that
+-- begins first, turning from (1, 0) on.
 --
 -- /Degenerate cases/ one object all around has the directions (1, 0) and (1, 0).
 --
 -- /Cost/ O(k log k) for k sights.
 joined :: [Sight] -> [Sight]
-joined sights = case (splitAround apart plain, splitAround unlike plain) of
-  (Just fromGap, _) -> merged fromGap
-  (Nothing, Just fromChange) -> sortBy (compareAround `on` sightFrom) (merged fromChange)
-  (Nothing, Nothing) -> [Sight (Direction 1 0) (Direction 1 0) (sightObject s) | s <- take 1 plain]
+joined sights = case (sortBy compareAround afterGaps, splitAround unlike plain) of
+  (first : _, _) -> merged (startingWith ((== first) . sightFrom) plain)
+  ([], Just fromChange) -> sortBy (compareAround `on` sightFrom) (merged fromChange)
+  ([], Nothing) -> [Sight (Direction 1 0) (Direction 1 0) (sightObject s) | s <- take 1 plain]
   where
+    afterGaps = [sightFrom b | (a, b) <- zip (lastFirst plain) plain, apart a b]
     plain = [Sight (primitive from) (primitive to) object | Sight from to object <- sights]
     apart a b = sightTo a /= sightFrom b
     unlike a b = sightObject a /= sightObject b
@@ -78,6 +80,10 @@ splitAround :: (a -> a -> Bool) -> [a] -> Maybe [a]
 splitAround related items = case break (uncurry related) (zip (lastFirst items) items) of
   (_, []) -> Nothing
   (early, late) -> Just (map snd (late <> early))
+
+-- | A cyclic list, begun at the first element that is wanted.
+startingWith :: (a -> Bool) -> [a] -> [a]
+startingWith wanted items = let (early, late) = break wanted items in late <> early
 
 -- | A cyclic list, begun one element earlier.
 lastFirst :: [a] -> [a]
@@ -104,8 +110,7 @@ data Mark = Here !Point | Beyond !Direction !Direction
 -- on; else with the least point.
 --
 -- /Degenerate cases/ where some rays from the point are solid, it is on the boundary; where they are in several parts, as
--- where polygons touch, it is there several times. Where only sky is seen there is
--- no point, and the one pair of directions is (1, 0), (1, 0). Where the sky fills a half plane, the one point is where
+-- where polygons touch, it may be there several times. Where only sky is seen there is no point, and the one pair of directions is (1, 0), (1, 0). Where the sky fills a half plane, the one point is where
 -- one stands, though it is flat.
 --
 -- /Cost/ O(k log k) for k sights.
@@ -130,7 +135,6 @@ region scene eye sights = Region [p | Here p <- marks] [(from, to) | Beyond from
     earlier a b = if compareAround b a == LT then b else a
     beginsAt from (Beyond a _) = a == from
     beginsAt _ (Here _) = False
-    startingWith wanted found = let (early, late) = break wanted found in late <> early
 
 -- | Is a mark a point where the boundary goes straight on?
 isFlat :: Mark -> Mark -> Mark -> Bool

@@ -102,8 +102,9 @@ data SceneKind
   | KRepeated
   | KZeroArea
   | KSpike
-  | KCornerOnCorner Whose
-  | KCornerOnSide Whose
+  | KCornerOnSide
+  | KOverlappingPolygons Whose
+  | KOverlappingWalls Whose
   | KCrossing Whose
   | KNested
   | KOutside
@@ -128,9 +129,9 @@ allKinds =
     <> map (Wkt . KWktOutline) [minBound .. maxBound]
     <> map
       Scene
-      ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KNested, KOutside, KNoSide]
-          <> map KCornerOnCorner [OtherPolygon, TheEnclosure]
-          <> map KCornerOnSide [minBound .. maxBound]
+      ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KCornerOnSide, KNested, KOutside, KNoSide]
+          <> map KOverlappingPolygons [OtherPolygon, TheEnclosure]
+          <> map KOverlappingWalls [OwnBoundary, OtherPolygon]
           <> map KCrossing [minBound .. maxBound]
           <> map KEmission [minBound .. maxBound]
           <> map KReflectivity [minBound .. maxBound]
@@ -186,8 +187,9 @@ sceneKind fault = case fault of
   RepeatedCorner {} -> KRepeated
   ZeroArea _ -> KZeroArea
   Spike _ _ -> KSpike
-  CornerOnCorner (CornerName p _) (CornerName q _) _ -> KCornerOnCorner (whose p q)
-  CornerOnSide (CornerName p _) (SideName q _) _ -> KCornerOnSide (whose p q)
+  CornerOnSide {} -> KCornerOnSide
+  OverlappingPolygons p q -> KOverlappingPolygons (whose p q)
+  OverlappingWalls p q -> KOverlappingWalls (whose p q)
   CrossingSides (SideName p _) (SideName q _) -> KCrossing (whose p q)
   NestedPolygon _ _ -> KNested
   OutsideEnclosure _ -> KOutside

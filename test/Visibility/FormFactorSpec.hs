@@ -28,10 +28,10 @@ spec :: Spec
 spec = do
   describe "the measures" $
     modifyMaxSuccess (* 10) $ do
-      it "close: a side's measures add up to twice its length, exactly" $
+      it "close: a side's measures add up to twice the length of what is not covered of it, exactly" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-           in [ (objectText scene (Side side), defect)
+           in [ (sideText side, defect)
               | (side, defect) <- closureDefect scene (measuresIn scene)
               , sign defect /= Zero
               ]
@@ -39,34 +39,48 @@ spec = do
       it "are positive" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-           in [ (objectText scene a, objectText scene b)
-              | ((a, b), area) <- measureList scene (measuresIn scene)
-              , sign area /= Positive
-              ]
-                === []
+              sums = measuresIn scene
+           in ( [ (objectText scene a, objectText scene b)
+                | ((a, b), area) <- measureList scene sums
+                , sign area /= Positive
+                ]
+              , [(seenText a, seenText b) | ((a, b), area) <- statedMeasures scene sums, sign area /= Positive]
+              )
+                === ([], [])
+      it "between sides of the file are those between all their pieces, added up" $
+        property $ \(TouchingScene s) ->
+          let scene = sampleScene s
+              sums = measuresIn scene
+              byName = Map.fromListWith plus [(inOrder (both (seenAs scene) pair), area) | (pair, area) <- measureList scene sums]
+           in Map.fromList [(inOrder pair, merged area) | (pair, area) <- statedMeasures scene sums]
+                === fmap merged byName
       it "join no side to itself" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-           in [objectText scene a | ((a@(Side _), b), _) <- measureList scene (measuresIn scene), a == b] === []
+           in [seenText a | ((a@(TheSide _), b), _) <- statedMeasures scene (measuresIn scene), a == b] === []
   describe "the form factors" $ do
-    it "of a side add up to one, exactly" $
-      property $ \(LatticeScene s) ->
-        let rows = Map.fromListWith plus [(a, f) | ((a, _), f) <- Map.toList (factorsOf (sampleScene s))]
-         in fmap asRational rows === fmap (const (Just 1)) rows
+    it "of a side add up to the part of it that is not covered, exactly" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            rows = Map.fromListWith plus [(a, f) | ((a, _), f) <- Map.toList (factorsOf scene)]
+         in fmap asRational rows
+              === Map.fromList [(a, Just part) | a <- statedSides scene, let part = uncovered scene a, part > 0]
     it "are reciprocal, exactly" $
-      property $ \(LatticeScene s) ->
+      property $ \(AnyScene s) ->
         let scene = sampleScene s
             factors = formFactors scene (measuresIn scene)
-            table = Map.fromList [((Side (factorFrom f), factorTo f), f) | f <- factors]
+            table = Map.fromList [((TheSide (factorFrom f), factorTo f), f) | f <- factors]
          in conjoin
-              [ fmap (byLength scene) (Map.lookup (factorTo f, Side (factorFrom f)) table) === Just (byLength scene f)
+              [ fmap (byLength scene) (Map.lookup (factorTo f, TheSide (factorFrom f)) table) === Just (byLength scene f)
               | f <- factors
-              , factorTo f /= Sky
+              , factorTo f /= TheSky
               ]
     it "are those that rays find, to the accuracy of sampling" $
       property $ \(ConvexScene s) -> agreesWithRays s
     it "are those that rays find where polygons are not convex and in rooms" $
       property $ \(SmallScene s) -> agreesWithRays s
+    it "are those that rays find where polygons touch" $
+      property $ \(TouchingScene s) -> agreesWithRays s
     it "of facing sides of equal length at that distance are the root of two less one" $
       lookupFactor (squareRoom []) ("E", 0) ("E", 2) `shouldBe` fromTerms [(1, 2), (-1, 1)]
     it "of adjacent sides of a square room are one less half the root of two" $
@@ -123,6 +137,8 @@ spec = do
                 ]
                 `shouldBe` []
   where
+    both f (a, b) = (f a, f b)
+    inOrder (a, b) = (min a b, max a b)
     measuresIn scene = measures scene (events scene (vertices scene))
     byLength scene f = case terms (sideLength scene (factorFrom f)) of
       [(c, n)] -> timesRoot c n (factorValue f)
@@ -153,22 +169,32 @@ changesNothing s change = forAll change $ \c ->
 onScene :: Testable p => RawScene -> (Scene -> p) -> Property
 onScene raw f = maybe (counterexample ("not valid: " <> sampleText raw) False) (property . f . sampleScene) (sample raw)
 
--- | Form factors by rays, in Doubles: from points spread over the side, the angles to all corners cut the half plane
--- in front of it into intervals, in each of which one object is seen.
+-- | Form factors by rays, in Doubles: from points spread over what is not covered of a side, the angles to all corners
+-- cut the half plane in front of it into intervals, in each of which one object is seen.
 agreesWithRays :: Sample -> Property
 agreesWithRays s =
   conjoin
-    [ counterexample (show (objectText scene (Side side), objectText scene object, value, sampled)) $
+    [ counterexample (show (sideText side, seenText object, value, sampled)) $
         abs (value - sampled) < 0.02
-    | side <- sides scene
+    | side <- statedSides scene
     , let exact = Map.fromList [(factorTo f, nearestDouble (factorValue f)) | f <- factors, factorFrom f == side]
-    , let byRays = sampledFactors scene side
+    , let byRays =
+            Map.fromListWith
+              (+)
+              [ (seenAs scene object, spanOf piece / nearestDouble (sideLength scene side) * f)
+              | piece <- concat (piecesOf scene side)
+              , (object, f) <- Map.toList (sampledFactors scene piece)
+              ]
     , object <- Map.keys (Map.union exact byRays)
     , let value = Map.findWithDefault 0 object exact
     , let sampled = Map.findWithDefault 0 object byRays
     ]
   where
     scene = sampleScene s
+    spanOf piece =
+      let Point ax ay = cornerPoint scene (sideStart piece)
+          Point bx by = cornerPoint scene (sideEnd scene piece)
+       in sqrt (fromRational ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))) :: Double
     factors = formFactors scene (measures scene (events scene (vertices scene)))
 
 sampledFactors :: Scene -> SideId -> Map.Map Object Double

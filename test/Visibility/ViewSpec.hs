@@ -27,7 +27,7 @@ spec = do
               wallsSeenEdgeOn =
                 [ (c, primitive (vertexDirection scene v))
                 | v <- vertices scene
-                , any (isWall scene) (vertexPairs v)
+                , any (isWall scene) (vertexPairs scene v)
                 , c <- vertexCorners v
                 ]
            in conjoin
@@ -82,9 +82,14 @@ spec = do
               free v (p, q) =
                 nextCorner scene p /= q && previousCorner scene p /= q
                   && not (any (\c -> any (enters scene c) (bothWays (vertexDirection scene v))) [p, q])
-           in conjoin [freeBitangents scene v === filter (free v) (vertexPairs v) | v <- vertices scene]
+           in conjoin [freeBitangents scene v === filter (free v) (vertexPairs scene v) | v <- vertices scene]
   where
-    isWall scene (p, q) = isWallCorner scene p && nextCorner scene p == q
+    -- Two faces of one piece of a wall, which lead from one place to another and back.
+    isWall scene (p, q) =
+      or [samePlace scene p a && samePlace scene q b && joins (a, b) | (a, b) <- ends] && joins (q, p)
+      where
+        ends = [(a, nextCorner scene a) | a <- corners scene]
+        joins (a, b) = or [samePlace scene a c && samePlace scene b d | (c, d) <- ends]
     crossed (Incidence flank back front) = Incidence (otherFlank flank) back front
     bothWays (Direction x y) = [(x, y), (-x, -y)]
 
@@ -142,7 +147,7 @@ alternating flanks = and (zipWith (/=) flanks (drop 1 flanks))
 -- planes, where it is reflex their union, where it is flat one of them; an end of a thin wall has none.
 enters :: Scene -> CornerId -> (Integer, Integer) -> Bool
 enters scene c (x, y)
-  | isWallCorner scene c = False
+  | isWallEnd scene c = False
   | bend == LeftTurn = leftOf arriving && leftOf leaving
   | bend == RightTurn = leftOf arriving || leftOf leaving
   | otherwise = leftOf leaving

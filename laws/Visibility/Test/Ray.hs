@@ -30,7 +30,7 @@ edgesByRays scene =
     -- Towards every other corner, seen or not.
     linesThrough c = [ direction (scenePoints scene) (min (index c) (index q)) (max (index c) (index q))
                      | q <- corners scene
-                     , q /= c
+                     , not (samePlace scene q c)
                      ]
     index (CornerId k) = k
     firstAfter from = minimumBy compareDirections . filter (from `earlier`)

@@ -16,10 +16,11 @@ import Test.QuickCheck
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Scene
+import Visibility.Scene.Raw (Form (..))
 import Visibility.Sight (Sight (..))
 
--- | What a ray meets first: an object, or from behind a polygon, in which it was then from its beginning on.
-data Hit = Meets !Object | Within !PolygonId
+-- | What a ray meets first: an object, or a side from behind, and then it was in the solid from its beginning on.
+data Hit = Meets !Object | Solid
   deriving (Eq, Show)
 
 -- | The ray from any point in a direction in which no corner lies.
@@ -27,13 +28,12 @@ shootFrom :: Scene -> Point -> Direction -> Hit
 shootFrom scene (Point x y) (Direction dx dy)
   | null hits = case surroundings scene of
       OpenSky -> Meets Sky
-      Room -> Within Enclosure
+      Room -> Solid
   | otherwise = case [s | (t, s, True) <- hits, t == nearest] of
       s : _ -> Meets (Side s)
-      [] -> Within (head' [polygon | (t, s, _) <- hits, t == nearest, let SideName polygon _ = sideName scene s])
+      [] -> Solid
   where
     nearest = minimum [t | (t, _, _) <- hits]
-    head' = foldr const Enclosure
     hits =
       [ (t, s, inward > 0)
       | s <- sides scene
@@ -50,35 +50,27 @@ shootFrom scene (Point x y) (Direction dx dy)
       ]
 
 -- | All that is seen from a point: one ray in the middle between all directions to corners. Neighbours that see the
--- same are one sight, the list begins after the solid rays if there are some, else with the first sight from (1, 0)
--- on. For a point in the solid, the polygon.
+-- same are one sight. Where polygons touch there may be solid rays in several places. The list begins with the first
+-- sight from (1, 0) on that comes after solid rays, if there are some, else with the first of all. For a point in the
+-- solid, the first obstacle that it is in, or the enclosure.
 --
 -- /Cost/ O(n²).
 scan :: Scene -> Point -> Either PolygonId [Sight]
-scan scene eye = case changes of
-  [] -> case [hit | (_, hit) <- take 1 shots] of
-    [Meets object] -> Right [Sight (Direction 1 0) (Direction 1 0) object]
-    [Within polygon] -> Left polygon
-    _ -> Right []
-  _
-    | null [() | (_, Meets _) <- shots] -> Left (foldr (\(_, hit) other -> owner hit other) Enclosure shots)
-    | otherwise -> Right [Sight a b object | ((a, Meets object), (b, _)) <- afterSolid (zip changes (rotated changes))]
+scan scene eye = case (nub (map snd shots), changes) of
+  ([Meets object], _) -> Right [Sight (Direction 1 0) (Direction 1 0) object]
+  (_, _ : _) -> Right [Sight a b object | ((a, Meets object), (b, _)) <- afterSolid (zip changes (rotated changes))]
+  _ -> Left (solidAt scene eye)
   where
     directions = nub (sortBy around [towards (cornerPoint scene c) | c <- corners scene, cornerPoint scene c /= eye])
     shots = [(a, shootFrom scene eye (middle a b)) | (a, b) <- zip directions (rotated directions)]
-    -- Where the ray just before sees something else than the ray just after. All that is solid is one.
-    changes = [(a, hit) | ((_, before), (a, hit)) <- zip (last' shots <> shots) shots, unlike before hit]
-    unlike (Within _) (Within _) = False
-    unlike a b = a /= b
+    -- Where the ray just before sees something else than the ray just after.
+    changes = [(a, hit) | ((_, before), (a, hit)) <- zip (last' shots <> shots) shots, before /= hit]
     last' items = drop (length items - 1) items
     rotated items = drop 1 items <> take 1 items
-    afterSolid pairs = case break (isSolid . snd . fst) pairs of
-      (_, []) -> pairs
-      (early, late) -> drop 1 late <> early
-    isSolid (Within _) = True
-    isSolid (Meets _) = False
-    owner (Within polygon) _ = polygon
-    owner (Meets _) other = other
+    -- The changes are in order from (1, 0) on, and no two that lead to the solid follow each other.
+    afterSolid pairs = case [i | (i, ((_, Solid), _)) <- zip [0 ..] (last' pairs <> pairs)] of
+      [] -> pairs
+      i : _ -> drop i pairs <> take i pairs
     towards (Point x y) = let Point ex ey = eye in wholeDirection (x - ex) (y - ey)
     around a b = compare (quadrant a) (quadrant b) <> compare 0 (cross a b)
     quadrant (Direction x y)
@@ -93,6 +85,28 @@ scan scene eye = case changes of
         | a == b -> Direction (negate ax) (negate ay)
         | otherwise -> Direction (negate ay) ax
     cross (Direction ax ay) (Direction bx by) = ax * by - ay * bx
+
+-- | The first obstacle that holds a point with its boundary, by the turns that its corners make around the point; the
+-- enclosure if there is none.
+solidAt :: Scene -> Point -> PolygonId
+solidAt scene (Point x y) =
+  foldr const Enclosure [p | Polygon p@(Obstacle _) _ Ring loop <- scenePolygons scene, holds (map seen loop)]
+  where
+    seen (Point px py) = (px - x, py - y)
+    holds loop = any onSide (joined loop) || sum (map quarters (joined loop)) /= 0
+    joined loop = zip loop (drop 1 loop <> take 1 loop)
+    onSide (a@(ax, ay), b@(bx, by)) = cross a b == 0 && ax * bx + ay * by <= 0
+    -- From quarter to quarter of the plane, counter-clockwise positive; through the opposite one by the turn.
+    quarters (a, b) = case (quarter b - quarter a) `mod` 4 of
+      3 -> -1
+      2 -> if cross a b > 0 then 2 else -2
+      turned -> turned
+    quarter (dx, dy)
+      | dx > 0 && dy >= 0 = 0 :: Int
+      | dx <= 0 && dy > 0 = 1
+      | dx < 0 && dy <= 0 = 2
+      | otherwise = 3
+    cross (ax, ay) (bx, by) = ax * by - ay * bx
 
 -- | The primitive vector of a rational one.
 wholeDirection :: Rational -> Rational -> Direction

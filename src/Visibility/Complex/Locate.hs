@@ -28,6 +28,7 @@ import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Scene.Raw (Form (..))
 import Visibility.Sweep.Vertical
 
 -- | A complex with what it takes to find a point in it.
@@ -125,7 +126,7 @@ data Place
     -- the point's curve on that side.
     OnSides ![(SideId, Start)]
   | InFree !Start
-  | -- | In the interior of an obstacle, or outside the enclosure.
+  | -- | In an obstacle, the first one if it is where several cover each other, or outside the enclosure.
     InSolid !PolygonId
 
 -- | Finds a point.
@@ -133,27 +134,26 @@ data Place
 -- /Degenerate cases/ verticals lean a little to the right, so one through corners lies between two of them, too. A
 -- point on a side is the end of two pieces of its vertical, of which those are counted that are not in the solid.
 --
--- /Cost/ O(log n) for n corners.
+-- /Cost/ O(log n) for n corners, O(n) in the solid.
 locate :: Locator -> Point -> (Eye, Place)
 locate found point = (eye, if null here then elsewhere else OnCorners here)
   where
     (eye, here) = eyeAt scene point
     scene = complexScene (locatorComplex found)
     rank = eyeRank eye
-    (below, from) = Set.spanAntitone (\side -> seenFrom side == LeftTurn) (crossings found V.! rank)
+    (_, from) = Set.spanAntitone (\side -> seenFrom side == LeftTurn) (crossings found V.! rank)
     (on, above) = Set.spanAntitone (\side -> seenFrom side == Collinear) from
     seenFrom (Crossing a b) = directionTurn (direction (scenePoints scene) a b) (eyeFrom scene eye (CornerId a))
     ceiling' = maybe (beyondAll scene) (freeBelow scene) (Set.lookupMin above)
-    elsewhere = case Set.lookupMin on of
-      Just side ->
+    -- The two faces of a wall may be two crossings here, if they join different corners.
+    elsewhere = case Set.toAscList on of
+      [] | ceiling' == solid -> InSolid (solidAt scene point)
+         | otherwise -> InFree (startAt ceiling')
+      found' ->
         OnSides
-          ( [(SideId s, startAt ceiling') | let s = freeAbove scene side, s /= solid]
-              <> [(SideId s, startAt s) | let s = freeBelow scene side, s /= solid]
+          ( [(SideId s, startAt ceiling') | s <- map (freeAbove scene) found', s /= solid]
+              <> [(SideId s, startAt s) | s <- map (freeBelow scene) found', s /= solid]
           )
-      Nothing
-        | ceiling' == solid -> InSolid (maybe Enclosure ownerOf (Set.lookupMax below))
-        | otherwise -> InFree (startAt ceiling')
-    ownerOf (Crossing a _) = let SideName polygon _ = sideName scene (SideId a) in polygon
     startAt back
       | isOpen && rank == 0 = LeftOfAll
       | isOpen && rank == cornerCount scene = RightOfAll
@@ -161,3 +161,23 @@ locate found point = (eye, if null here then elsewhere else OnCorners here)
           Just face -> InFace face
           Nothing -> broken "every free piece of a vertical is in a face" (show (rank, back))
     isOpen = surroundings scene == OpenSky
+
+-- | The first obstacle that holds a point of the solid, with its boundary; the enclosure if none does.
+--
+-- Which one cannot be told from the boundary of free space, as what obstacles cover of each other is no part of that.
+--
+-- /Cost/ O(n).
+solidAt :: Scene -> Point -> PolygonId
+solidAt scene point@(Point x y) = case filter holds (scenePolygons scene) of
+  polygon : _ -> polygonId polygon
+  [] -> Enclosure
+  where
+    holds polygon = polygonId polygon /= Enclosure && polygonForm polygon == Ring && (any isOn around || isInside around)
+      where
+        around = zip (polygonPoints polygon) (drop 1 (cycle (polygonPoints polygon)))
+    isInside around = odd (length (filter isAbove around))
+    isOn (a, b) = aside a b == 0 && min a b <= point && point <= max a b
+    -- Does the vertical ray upwards from the point meet a side?
+    isAbove (a@(Point ax _), b@(Point bx _)) = (ax <= x) /= (bx <= x) && (aside a b > 0) == (ax > bx)
+    -- Positive where the point lies to the left of the way.
+    aside (Point ax ay) (Point bx by) = (bx - ax) * (y - ay) - (by - ay) * (x - ax)

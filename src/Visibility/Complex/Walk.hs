@@ -12,6 +12,8 @@ module Visibility.Complex.Walk
   , locatorComplex
   ) where
 
+import Data.Function (on)
+import Data.List (sortBy)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Locate
@@ -19,6 +21,7 @@ import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.Sight
 import Visibility.View (End (..), Flank (..), View (..))
 
@@ -49,7 +52,6 @@ lookAround found viewpoint = case viewpoint of
     (eye, OnSides pieces) -> Right (lookOf [pieceOf s (walk complex eye (Just s) start) | (s, start) <- pieces])
   where
     complex = locatorComplex found
-    lookOf parts = Look (joined (concatMap fst parts)) (sum (map snd parts))
     turning steps = (map ahead steps <> map behind steps, length steps)
     ahead (Step from to _ object) = Sight from to object
     behind (Step from to object _) = Sight (reversed from) (reversed to) object
@@ -64,9 +66,15 @@ lookAround found viewpoint = case viewpoint of
 
 -- | What is seen from all cones of free space in one place.
 fromCorners :: Complex -> [CornerId] -> Look
-fromCorners complex cs = Look (joined (concatMap fst parts)) (sum (map snd parts))
+fromCorners complex = lookOf . map (fromCorner complex)
+
+-- | The sights of all parts of what is seen, each part counter-clockwise; with the number of steps.
+lookOf :: [([Sight], Int)] -> Look
+lookOf parts = Look (joined sights) (sum (map snd parts))
   where
-    parts = map (fromCorner complex) cs
+    sights = case parts of
+      [(own, _)] -> own
+      _ -> sortBy (compareAround `on` sightFrom) (concatMap fst parts)
 
 -- | The stretches of a corner in cyclic order hold its sights; with the number of the stretches.
 fromCorner :: Complex -> CornerId -> ([Sight], Int)
@@ -216,11 +224,17 @@ firstWhere holds low high
 -- | Where the curve of a point goes on after a vertex that the point is in line with.
 --
 -- /Degenerate cases/ a point on a side, at the line of the side, goes on at the side's end before it if it looks upward
--- from the side, else at the end after it.
+-- from the side, else at the end after it. Of several corners in the place next to it on the line, those count from whose
+-- cone of free space the line leads to it.
 pastVertex :: Complex -> Eye -> Maybe SideId -> Direction -> VertexId -> Exit
-pastVertex complex eye piece to v
-  | place == first || alongBelow = newFace complex to (EdgeId place) AboveBack Forwards
-  | otherwise = newFace complex to (EdgeId (place - 1)) BelowFront Backwards
+pastVertex complex eye piece to v = case (before, after) of
+  ([], _) -> atLeft (towards (reversed to) after)
+  (_, []) -> atRight (towards to before)
+  _ -> case piece of
+    Just s
+      | any ((== sideStart s) . cornerOf) before, i : _ <- filter ((== sideEnd scene s) . cornerOf) after -> atLeft i
+      | any ((== sideStart s) . cornerOf) after, i : _ <- filter ((== sideEnd scene s) . cornerOf) before -> atRight i
+    _ -> atRight (towards to before)
   where
     scene = complexScene complex
     VertexId number = v
@@ -228,9 +242,16 @@ pastVertex complex eye piece to v
     (first, end) = (entry number, entry (number + 1))
     cornerOf i = edgeCorner complex (EdgeId i)
     place = firstWhere (\i -> cornerOf i >= CornerId (eyeRank eye)) first end
-    alongBelow = case piece of
-      Just s -> place < end && place > first && (sideStart s, sideEnd scene s) == (cornerOf (place - 1), cornerOf place)
-      Nothing -> False
+    before = inPlaceOf (place - 1) [place - 1, place - 2 .. first]
+    after = inPlaceOf place [place .. end - 1]
+    inPlaceOf i = takeWhile (samePlace scene (cornerOf i) . cornerOf)
+    towards d is = case is of
+      [i] -> i
+      _ -> case filter (\i -> not (entersSolid scene JustThen (cornerOf i) d)) is of
+        i : _ -> i
+        [] -> broken "a line leads to a point on it from a corner" (show (v, d))
+    atLeft i = newFace complex to (EdgeId i) AboveBack Forwards
+    atRight i = newFace complex to (EdgeId i) BelowFront Backwards
 
 -- | Where the curve of a point goes on after it has crossed a stretch, read in one way, from below its curve or from
 -- above.

@@ -75,18 +75,19 @@ data Piece
 boundary :: Point -> Region -> [Piece]
 boundary q (Region points unbounded) = case points of
   [] -> [Beyond q from to q | (from, to) <- unbounded]
-  first : rest -> concatMap pieces neighbours
-    where
-      neighbours = zip points (rest <> [first])
-      pieces (x, y) = case openings of
-        [] | cross (between q x) (between q y) == 0 -> [OnSight x y]
-           | otherwise -> [OnSide x y]
-        _ -> [Beyond x from to y | (from, to) <- openings]
-        where
-          openings = filter (joins along (x, y)) unbounded <> filter (joins through (x, y)) straight
-      -- Those next to the viewpoint where that is no corner, since the region ends there in a straight line.
-      straight = [opening | opening <- unbounded, not (any (\ends -> joins along ends opening) neighbours)]
-      joins on (x, y) (from, to) = on q from x && on q to y
+  _ -> pieces neighbours (drop 1 unbounded <> take 1 unbounded)
+  where
+    -- Both are in order, and the points begin after the first unbounded interval.
+    pieces ((x, y) : others) (opening@(from, to) : openings)
+      | joins (closeness opening) opening (x, y) = Beyond x from to y : pieces others openings
+    pieces ((x, y) : others) openings
+      | cross (between q x) (between q y) == 0 = OnSight x y : pieces others openings
+      | otherwise = OnSide x y : pieces others openings
+    pieces [] _ = []
+    neighbours = zip points (drop 1 points <> take 1 points)
+    -- Next to a viewpoint that is no corner, since the region ends there in a straight line, it is a line that counts.
+    closeness opening = if any (joins along opening) neighbours then along else through
+    joins on (from, to) (x, y) = on q from x && on q to y
 
 -- | Is a point on the ray, or on the line, from the viewpoint?
 along, through :: Point -> Direction -> Point -> Bool

@@ -11,6 +11,7 @@ import Data.Aeson (Key)
 import Data.Aeson.Encoding (Encoding, Series, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, char7)
+import Data.List (sortOn)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
@@ -44,7 +45,7 @@ elementDocument detail wanted viewpoint normal factors =
   document $
     standing viewpoint
       <> pair "normal" (vector normal)
-      <> pair "sees" (list entry (filter (notZero . snd) merged))
+      <> pair "sees" (list entry (sortOn fst (filter (notZero . snd) merged)))
   where
     merged = [(object, RootSum.merged value) | (object, value) <- factors]
     entry (object, value) = seenEntry wanted object value (exactly detail "exact" value)
@@ -53,12 +54,12 @@ elementDocument detail wanted viewpoint normal factors =
 --
 -- /Shape/ @side@; @sees@ as in 'elementDocument', with exact measures @measure@, Σ coefficient·√radicand = 2·L·F.
 --
--- /Requires/ the factors of this side, in the order of what is seen; those of other sides are left out.
+-- /Requires/ the factors of this side; those of other sides are left out.
 sideDocument :: Detail -> Digits -> SideName -> [FormFactor] -> Builder
 sideDocument detail wanted side factors =
   document $
     pair "side" (string (sideText side))
-      <> pair "sees" (list entry own)
+      <> pair "sees" (list entry (sortOn factorTo own))
   where
     own = [factor | factor <- factors, factorFrom factor == side, notZero (factorValue factor)]
     entry factor =

@@ -73,9 +73,9 @@ contacts o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmentF
     touch _ _ (Ends a b) = AtCorners a b
     touch _ t (FirstOnSecond a) = OnSegment a t
     touch s _ (SecondOnFirst b) = OnSegment b s
-    -- Corners of one polygon in one place are the end of one side and the start of the next, or repeated corners. In a
+    -- Corners of one ring in one place are the end of one side and the start of the next, or repeated corners. In a
     -- ring, a corner on a side next but one comes from a spike between.
-    isOwn _ (AtCorners _ _) = False
+    isOwn p (AtCorners i j) = outlineForms o V.! p == Polyline && i /= j
     isOwn _ (Cross _ _) = True
     isOwn p (OnSegment i s) = case outlineForms o V.! p of
       Ring -> i /= around o (-1) s && i /= around o 2 s

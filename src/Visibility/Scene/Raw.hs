@@ -59,7 +59,7 @@ rawWall points = (rawPolygon points) {rawForm = Polyline}
 sideTotal :: RawPolygon -> Int
 sideTotal polygon = case rawForm polygon of
   Ring -> n
-  Polyline -> 2 * (n - 1)
+  Polyline -> max 0 (2 * (n - 1))
   where
     n = length (rawCorners polygon)
 

@@ -27,7 +27,7 @@ import Visibility.Scene.Type (Scene, StatedPolygon (..), assemble)
 -- but no two pieces of walls may lie along each other. Reported once: an overlap of two polygons, in however many places.
 -- A thin wall has its two faces in one place, and crossings name that on the right of the way along it. What follows
 -- from something else is left out: contacts at a spike between the sides that make it, contacts of a polygon of no area
--- with itself, overlaps of polygons that cross each other, and whether polygons whose boundaries meet are nested. A
+-- with itself, overlaps of solids whose boundaries cross, and whether polygons whose boundaries meet are nested. A
 -- polygon of too few corners is looked at no further; overlaps are not looked for while a polygon has something wrong
 -- with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of times.
 --
@@ -101,9 +101,10 @@ geometryErrors o found = inThemselves <> crossings <> overlapping <> positionErr
     flat = withoutArea o
     inThemselves = concatMap (alone o flat) (polygonIndices o) <> [e | c <- found, Just e <- [ownContact o c]]
     crossings = [CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t)) | Cross s t <- found]
+    crossedByThemselves = [() | Cross s t <- found, owner s == owner t]
     crossed = Set.fromList [pairOf (owner s) (owner t) | Cross s t <- found]
     overlapping
-      | null inThemselves = [e | clash <- Set.toList (overlaps o found), Just e <- [overlapError clash]]
+      | null inThemselves && null crossedByThemselves = [e | clash <- Set.toList (overlaps o found), Just e <- [overlapError clash]]
       | otherwise = []
     overlapError (SolidsOverlap p q)
       | (p, q) `Set.member` crossed = Nothing

@@ -80,16 +80,19 @@ treeViolations scene (heading, tree) =
         [ law "a list is linked both ways" $
             map (nodeAt tree . lower) inside == take (length inside) (noNode : inside)
               && nodeAt tree (final l) == foldl (\_ node -> node) noNode inside
-        , law "a list is in ascending order" (and (zipWith ascending sources (drop 1 sources)))
+        , law "a list is in ascending order" (and (zipWith ascending inside (drop 1 inside)))
         , law "a list holds the tree edges to its target and the markers of its sides" (all belongs inside)
         ]
       where
         law name = ensure (place name (show l)) (show inside)
         inside = members l
-        sources = map (nodeSource f) inside
+        -- Of the two faces of one piece of a wall, the upper one comes first.
         ascending a b
-          | isCornerList l = turn (scenePoints scene) (listOwner l) a b == LeftTurn
-          | otherwise = before heading a b
+          | isCornerList l = case turn (scenePoints scene) (listOwner l) (nodeSource f a) (nodeSource f b) of
+              LeftTurn -> True
+              Collinear -> previous (nodeSource f a) == listOwner l && next (nodeSource f b) == listOwner l
+              RightTurn -> False
+          | otherwise = before heading (nodeSource f a) (nodeSource f b)
         belongs node
           | isTreeEdge f tree node = listAt tree (target (nodeSource f node)) == l
           | otherwise = not (isEdgeNode node) && cornerList (laterEnd node) == l

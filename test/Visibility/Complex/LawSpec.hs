@@ -106,7 +106,7 @@ spec = do
                 | let c = complexOf s
                 , (i, e) <- zip (vertexIds c) (events scene (vertices scene))
                 , let v = eventVertex e
-                , not (isDegenerate v)
+                , length (vertexCorners v) == 2
                 , let (edges, expected) = degreesByKind scene v (vertexKinds c i)
                 ]
   describe "the measures of faces" $
@@ -137,7 +137,7 @@ instance Ord Slope where
 degreesByKind :: Scene -> Vertex -> [Kind] -> (Int, Int)
 degreesByKind scene v kinds = case (vertexCorners v, kinds) of
   ([p, q], [AlongSide, AlongSide])
-    | isWallCorner scene p -> (4, 6)
+    | nextCorner scene p == q && previousCorner scene p == q -> (4, 6)
     | otherwise -> case length (filter isReflex [p, q]) of
         0 -> (4, 5)
         1 -> (3, 4)

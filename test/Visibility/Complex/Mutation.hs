@@ -118,8 +118,10 @@ mutations =
       [ c {stretchCorners = changed e x (stretchCorners c)}
       | v <- [0 .. vertexTotal c - 1]
       , let e = value (vertexStarts c) v
+      , let p = value (stretchCorners c) e
       , let q = value (stretchCorners c) (e + 1)
       , x <- [0 .. q - 1]
+      , not (any (samePlace (complexScene c) (CornerId x)) [CornerId p, CornerId q])
       , not (isElementary (complexScene c) (CornerId x) (CornerId q))
       ]
   , Mutation "a vertex missing, its corners left to the one before it" "the vertices are those of the scene" $ \c ->

@@ -58,13 +58,11 @@ spec = do
     Set.fromList [noticed | (_, noticed, _) <- mutations]
       `shouldBe` Set.fromList (map quotientLawName (drop 1 quotientLaws))
   describe "the quotient" $ do
-    it "has vertices and edges where all polygons are convex, under the sky" $
+    it "has vertices and edges where all polygons are convex and none touches another, under the sky" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-            convexCorner c@(CornerId b) =
-              let (CornerId a, CornerId d) = (previousCorner scene c, nextCorner scene c)
-               in isWallCorner scene c || turn (scenePoints scene) a b d /= RightTurn
-         in isConvex (quotientOf s) === (surroundings scene == OpenSky && all convexCorner (corners scene))
+         in isConvex (quotientOf s)
+              === (surroundings scene == OpenSky && all isConvexPolygon (scenePolygons scene) && sceneContacts scene == 0)
     modifyMaxSuccess (* 5) $
       it "does not change where a flat corner splits a side" $
         property $ \(ConvexScene s) -> forAll (splitSide (sampleRaw s)) $ \split ->
@@ -73,7 +71,7 @@ spec = do
             Nothing -> property True
     it "has the regions that the chains tell, where there are no thin walls" $
       property $ \(AnyScene s) ->
-        not (any (isWallCorner (sampleScene s)) (corners (sampleScene s))) ==>
+        not (any (isWallEnd (sampleScene s)) (corners (sampleScene s))) ==>
           let c = complexOf s
               union = quotientUnion (quotient c)
            in Set.fromList (map (Set.fromList . regionMembers union) (regionIds (quotient c)))
@@ -145,6 +143,18 @@ quotientOf = quotient . complexOf
 
 broken' :: Quotient -> [Violation]
 broken' found = [v | law <- quotientLaws, v <- quotientLawViolations law found]
+
+-- | Are all turns of a ring of one kind? A thin wall is convex where it has two corners.
+isConvexPolygon :: Polygon -> Bool
+isConvexPolygon polygon = case polygonForm polygon of
+  Polyline -> length points == 2
+  Ring -> not (any (> 0) turns && any (< 0) turns)
+  where
+    points = polygonPoints polygon
+    turns =
+      [ (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+      | (Point ax ay, Point bx by, Point cx cy) <- zip3 points (drop 1 (cycle points)) (drop 2 (cycle points))
+      ]
 
 isConvex :: Quotient -> Bool
 isConvex ConvexQuotient {} = True

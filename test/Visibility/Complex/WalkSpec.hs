@@ -26,21 +26,28 @@ spec = do
     modifyMaxSuccess (* 10) $ do
       it "from a point finds what an angular scan finds" $
         property $ \(AnyScene s) -> seesLikeScan (sampleScene s)
+      it "from a point finds what an angular scan finds, where polygons touch" $
+        property $ \(TouchingScene s) -> seesLikeScan (sampleScene s)
       it "from a point finds what an angular scan finds, in small scenes" $
         property $ \(SmallScene s) -> seesLikeScan (sampleScene s)
     modifyMaxSuccess (* 2) $ do
       it "from a point finds what an angular scan finds, in hard coordinates" $
         property $ \(HardScene s) -> seesLikeScan (sampleScene s)
       it "from all corners and the middles of all sides finds what an angular scan finds" $
-        property $ \(SmallScene s) ->
-          let scene = sampleScene s
-           in conjoin (map (sameFrom (locatorOf scene)) (pointsOfInterest scene))
-      it "from a corner by name is the same as from its place" $
+        property $ \(SmallScene s) -> seesLikeScanFromAll (sampleScene s)
+      it "from all corners and the middles of all sides finds what an angular scan finds, where polygons touch" $
+        property $ \(TouchingScene s) -> seesLikeScanFromAll (sampleScene s)
+      it "from a corner by name is the same as from its place; nothing, where it is all covered" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
               index = locatorOf scene
-              place = AtPoint . cornerPoint scene
-           in conjoin [lookAround index (AtCorner c) === lookAround index (place c) | c <- corners scene]
+              fromName name point = lookAround index (AtCorner name point)
+           in conjoin
+                [ counterexample (show name) $ case lookAround index (AtPoint point) of
+                    Left _ -> (cornersNamed scene name, fromName name point) === (Just [], Right (Look [] 0))
+                    found -> fromName name point === found
+                | (name, point) <- statedCorners scene
+                ]
     it "is tested from places of every kind" $
       checkCoverage $ \(AnyScene s) ->
         let scene = sampleScene s
@@ -67,19 +74,20 @@ spec = do
           let scene = sampleScene s
               index = sideIndex (complexOf scene)
               streamed = formFactors scene (measures scene (events scene (vertices scene)))
-              found = concatMap (sideFactors . sees index) (sides scene)
+              found = concat [sideFactors look | Just look <- map (sees index) (statedSides scene)]
            in sort (map entry found) === sort (map entry streamed)
-    it "is in order, the sky last, and adds up to 1" $
+    it "is in order, the sky last, and adds up to the part of the side that is not covered" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             index = sideIndex (complexOf scene)
          in conjoin
-              [ (nameOrder scene seen === sort (nameOrder scene seen))
-                  .&&. mconcat (map factorValue seen) === RootSum.rational 1
-              | side <- sides scene
-              , let seen = sideFactors (sees index side)
+              [ map factorTo seen === sort (map factorTo seen)
+                  .&&. mconcat (map factorValue seen) === RootSum.rational (uncovered scene side)
+              | side <- statedSides scene
+              , Just look <- [sees index side]
+              , let seen = sideFactors look
               ]
-    it "visits the faces of the side and no others" $
+    it "visits the faces of the side, or of all its pieces, and no others" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             complex = complexOf scene
@@ -89,11 +97,13 @@ spec = do
               ( [ facesOf index o === Map.findWithDefault [] o byScan
                 | o <- Sky : map Side (sides scene)
                 ]
-                  <> [sideFaces (sees index side) === length (facesOf index (Side side)) | side <- sides scene]
+                  <> [ fmap sideFaces (sees index side)
+                         === Just (sum [length (facesOf index (Side piece)) | piece <- concat (piecesOf scene side)])
+                     | side <- statedSides scene
+                     ]
               )
   where
     entry f = (factorFrom f, factorTo f, factorMeasure f, factorValue f)
-    nameOrder scene seen = [(t == Sky, [sideName scene s | Side s <- [t]]) | t <- map factorTo seen]
     ends complex f
       | faceBack complex f == faceFront complex f = [faceBack complex f]
       | otherwise = [faceBack complex f, faceFront complex f]
@@ -109,13 +119,16 @@ seesLikeScan scene = forAll (vectorOf 5 (somePoint scene)) $ \eyes -> conjoin (m
   where
     index = locatorOf scene
 
+seesLikeScanFromAll :: Scene -> Property
+seesLikeScanFromAll scene = conjoin (map (sameFrom (locatorOf scene)) (pointsOfInterest scene))
+
 -- | Where a point may lie.
 data Kind = AtACorner | OnASide | OnAWall | InASolid | InTheFree | BesideAll
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 kindOf :: Place -> Kind
 kindOf place = case place of
-  OnCorner _ -> AtACorner
+  OnCorners _ -> AtACorner
   OnSides [_] -> OnASide
   OnSides _ -> OnAWall
   InSolid _ -> InASolid

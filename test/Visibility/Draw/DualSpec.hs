@@ -104,12 +104,12 @@ spec = do
     drawn scene = dualDrawing scene (events scene (vertices scene))
     names scene v = Text.unwords [Text.pack (cornerText (cornerName scene c)) | c <- vertexCorners v]
     namedCorners scene text =
-      mapMaybe (readCornerName . Text.unpack >=> cornerNamed scene) (Text.words text)
+      concat (mapMaybe (readCornerName . Text.unpack >=> cornersNamed scene) (Text.words text))
     followsItsEquation scene =
       conjoin
         [ counterexample (show mark) $
           and [abs (u - curve scene frame c theta) < 1e-9 | (theta, u) <- points, c <- owners]
-            && length owners == 1
+            && length (filter (any (`elem` owners)) (placeGroups scene)) == 1
             && and (zipWith (<=) (map fst points) (drop 1 (map fst points)))
         | layer <- ["ending", "tangent"]
         , mark@(Mark _ _ (Polyline places)) <- marksIn layer (drawn scene)

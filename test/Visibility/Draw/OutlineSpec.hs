@@ -27,10 +27,11 @@ spec = do
     it "keeps nothing from behind and all that counts for form factors" $
       property $ \(AnyScene s) (Normal normal) ->
         forAllViewpoints (sampleScene s) $ \_ sights ->
-          let front = concat (inFront normal sights)
+          let scene = sampleScene s
+              front = concat (inFront normal sights)
            in conjoin
                 [ counterexample (show front) (and [turnsLeft normal from /= Behind | Sight from _ _ <- front])
-                , elementFactors normal front === elementFactors normal sights
+                , elementFactors scene normal front === elementFactors scene normal sights
                 ]
   describe "boundary" $
     it "has a piece for each point, and one for each unbounded part" $

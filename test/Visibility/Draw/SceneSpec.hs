@@ -48,12 +48,12 @@ spec = do
       property $ \(AnyScene s) ->
         let drawing = drawn (sampleScene s)
          in (labelCollisions drawing, strayMarks drawing) === ([], [])
-    it "a corner that finds no room for its label is counted in the caption" $
+    it "a place of corners that finds no room for its label is counted in the caption" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             drawing = drawn scene
             written = length [() | Mark _ CornerLabel _ <- marksIn "labels" drawing]
-            missing = cornerCount scene - written
+            missing = length (placeGroups scene) - written
             stated
               | missing == 0 = Text.empty
               | otherwise = Text.pack (show missing <> if missing == 1 then " corner without" else " corners without")

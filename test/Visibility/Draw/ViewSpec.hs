@@ -40,12 +40,12 @@ spec = do
     it "marks every side that a side sees, and that side last" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-         in forAllBlind (elements (sides scene)) $ \side ->
+         in forAllBlind (elements (statedSides scene)) $ \side ->
               let factors = factorsFrom scene side
-                  named = Text.pack . sideText . sideName scene
                   drawing = viewDrawing scene (SideFigure side factors)
+                  marks style t = [(style, Text.pack (sideText t)) | _ <- concat (piecesOf scene t)]
                in [(markStyle mark, markName mark) | mark <- marksIn "seen" drawing]
-                    === [(SeenSide, named t) | t <- sort [t | (Side t, _) <- factors]] <> [(SeeingSide, named side)]
+                    === concatMap (marks SeenSide) (sort [t | (TheSide t, _) <- factors]) <> marks SeeingSide side
     it "shows a viewpoint beyond the scene" $
       property $ \(AnyScene s) (NonZero i) ->
         let scene = sampleScene s
@@ -80,8 +80,8 @@ figures :: Scene -> [(String, ViewFigure)]
 figures scene =
   concat
     [ [ ("region", RegionFigure q (region scene q sights))
-      , ("element", ElementFigure q (Direction 1 (-2)) sights (elementFactors (Direction 1 (-2)) sights))
-      , ("side", let side = sides scene !! (k `div` 2) in SideFigure side (factorsFrom scene side))
+      , ("element", ElementFigure q (Direction 1 (-2)) sights (elementFactors scene (Direction 1 (-2)) sights))
+      , ("side", let side = sideName scene (sides scene !! (k `div` 2)) in SideFigure side (factorsFrom scene side))
       ]
     | (c, sights) <- take 1 (drop k found) <> take 1 found
     , let q = cornerPoint scene c
@@ -96,17 +96,17 @@ forAllFigures check =
   property $ \(AnyScene s) ->
     let scene = sampleScene s
      in forAllViewpoints scene $ \q sights ->
-          forAllBlind (elements (sides scene)) $ \side ->
+          forAllBlind (elements (statedSides scene)) $ \side ->
             forAll (arbitrary `suchThat` (/= (0, 0))) $ \(x, y) ->
               let normal = Direction x y
                in conjoin
                     [ check scene (RegionFigure q (region scene q sights))
-                    , check scene (ElementFigure q normal sights (elementFactors normal sights))
-                    , counterexample (sideText (sideName scene side)) $
+                    , check scene (ElementFigure q normal sights (elementFactors scene normal sights))
+                    , counterexample (sideText side) $
                         check scene (SideFigure side (factorsFrom scene side))
                     ]
 
-factorsFrom :: Scene -> SideId -> [(Object, RootSum)]
+factorsFrom :: Scene -> SideName -> [(Seen, RootSum)]
 factorsFrom scene side =
   [ (factorTo factor, factorValue factor)
   | factor <- formFactors scene (measures scene (events scene (vertices scene)))

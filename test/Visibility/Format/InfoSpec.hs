@@ -16,6 +16,7 @@ spec = describe "infoText" $ do
       `shouldBe` Just
         [ "polygons                  1"
         , "corners                   4"
+        , "contacts                  0"
         , "vertices                  1"
         , "degenerate vertices       2"
         , "bitangents                4"

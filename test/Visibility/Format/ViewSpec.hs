@@ -31,8 +31,8 @@ fewDigits = fromMaybe defaultDigits (digits 4)
 -- | The side of this name, and all objects with a factor of zero.
 seenFrom :: Scene -> String -> Detail -> Maybe String
 seenFrom scene name detail = do
-  side <- find ((== name) . sideText . sideName scene) (sides scene)
-  pure . text . sideDocument detail fewDigits scene side $
+  side <- find ((== name) . sideText) (statedSides scene)
+  pure . text . sideDocument detail fewDigits side $
     reverse (formFactors scene (measures scene (events scene (vertices scene))))
 
 spec :: Spec
@@ -40,16 +40,16 @@ spec = do
   describe "regionDocument" $ do
     let seen = Region [Point 0 0, Point (1 / 2) (-3), Point 4 (2 / 3)] []
     it "writes points exactly and always says what is unbounded" $
-      fmap (\scene -> text (regionDocument scene (AtPoint (Point (1 / 2) 3)) seen)) pair
-        `shouldBe` Just
-          ( "{\"format\":\"viscomplex/1\",\"from\":[\"1/2\",\"3\"],"
-              <> "\"polygon\":[[\"0\",\"0\"],[\"1/2\",\"-3\"],[\"4\",\"2/3\"]],\"unbounded\":[]}\n"
-          )
+      text (regionDocument (AtPoint (Point (1 / 2) 3)) seen)
+        `shouldBe` ( "{\"format\":\"viscomplex/1\",\"from\":[\"1/2\",\"3\"],"
+                   <> "\"polygon\":[[\"0\",\"0\"],[\"1/2\",\"-3\"],[\"4\",\"2/3\"]],\"unbounded\":[]}\n"
+                   )
     it "names a corner, and lists directions two and two" $
       fmap
         ( \scene ->
             let open = Region [Point 1 0] [(Direction 1 0, Direction (-2) 7), (Direction (-1) 0, Direction 0 (-1))]
-             in text . flip (regionDocument scene) open . AtCorner <$> cornerNamed scene (CornerName (Obstacle 0) 1)
+                name = CornerName (Obstacle 0) 1
+             in text . flip regionDocument open . AtCorner name <$> statedPoint scene name
         )
         pair
         `shouldBe` (Just . Just)
@@ -72,23 +72,20 @@ spec = do
           )
   describe "elementDocument" $ do
     -- In the middle of side 0.1, half a unit from either end of the wall in height.
-    let factors scene = [(Sky, rest), (wall scene, root), (square scene, RootSum.zero)]
+    let factors = [(TheSky, rest), (TheSide wall, root), (TheSide square, RootSum.zero)]
         rest = RootSum.rational 1 `RootSum.minus` root
         root = RootSum.hypotenuse (1 / 5) 1 2
-        wall scene = maybe Sky Side (find ((== "1.1") . sideText . sideName scene) (sides scene))
-        square scene = maybe Sky Side (find ((== "0.1") . sideText . sideName scene) (sides scene))
-        written detail scene =
-          text (elementDocument detail fewDigits scene (AtPoint (Point 1 (1 / 2))) (Direction 3 0) (factors scene))
+        wall = SideName (Obstacle 1) 1
+        square = SideName (Obstacle 0) 1
+        written detail = text (elementDocument detail fewDigits (AtPoint (Point 1 (1 / 2))) (Direction 3 0) factors)
     it "states the normal, sorts, and leaves out what is exactly zero" $
-      fmap (written DecimalsOnly) pair
-        `shouldBe` Just
-          ( "{\"format\":\"viscomplex/1\",\"from\":[\"1\",\"1/2\"],\"normal\":[\"3\",\"0\"],\"sees\":["
-              <> "{\"id\":\"1.1\",\"value\":\"0.4472\"},{\"id\":\"sky\",\"value\":\"0.5528\"}]}\n"
-          )
+      written DecimalsOnly
+        `shouldBe` ( "{\"format\":\"viscomplex/1\",\"from\":[\"1\",\"1/2\"],\"normal\":[\"3\",\"0\"],\"sees\":["
+                   <> "{\"id\":\"1.1\",\"value\":\"0.4472\"},{\"id\":\"sky\",\"value\":\"0.5528\"}]}\n"
+                   )
     it "adds the exact factor on demand" $
-      fmap (written WithExactMeasures) pair
-        `shouldBe` Just
-          ( "{\"format\":\"viscomplex/1\",\"from\":[\"1\",\"1/2\"],\"normal\":[\"3\",\"0\"],\"sees\":["
-              <> "{\"id\":\"1.1\",\"value\":\"0.4472\",\"exact\":[[\"1/5\",\"5\"]]},"
-              <> "{\"id\":\"sky\",\"value\":\"0.5528\",\"exact\":[[\"1\",\"1\"],[\"-1/5\",\"5\"]]}]}\n"
-          )
+      written WithExactMeasures
+        `shouldBe` ( "{\"format\":\"viscomplex/1\",\"from\":[\"1\",\"1/2\"],\"normal\":[\"3\",\"0\"],\"sees\":["
+                   <> "{\"id\":\"1.1\",\"value\":\"0.4472\",\"exact\":[[\"1/5\",\"5\"]]},"
+                   <> "{\"id\":\"sky\",\"value\":\"0.5528\",\"exact\":[[\"1\",\"1\"],[\"-1/5\",\"5\"]]}]}\n"
+                   )

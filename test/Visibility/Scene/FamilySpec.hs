@@ -103,7 +103,7 @@ spec = do
     turnsOf kind = nub (map (length . rawCorners) (rawPolygons (sceneOf kind)))
     pairsOf kind n seed =
       sum
-        [ length (vertexPairs v)
+        [ length (vertexPairs scene v)
         | Just s <- [size n]
         , Right scene <- [validate (family kind s (Seed seed))]
         , v <- vertices scene

@@ -32,13 +32,14 @@ at = Point
 doubledArea :: [Point] -> Rational
 doubledArea corners = sum (zipWith (\(Point x y) (Point x' y') -> x * y' - x' * y) corners (drop 1 (cycle corners)))
 
--- | A polygon to a cell of a grid, in a room or in the open, with materials and names.
+-- | A polygon to a cell of a grid, in a room or in the open, with materials and names. None touches another, no wall
+-- touches itself.
 validScenes :: Gen RawScene
 validScenes = do
   k <- choose (1, 8)
   cells <- take k <$> shuffle [(10 * i, 10 * j) | i <- [0 .. 3], j <- [0 .. 3]]
-  obstacles <- mapM (\(x, y) -> shape >>= disguised . map (shifted x y)) cells
-  room <- oneof [pure Nothing, Just <$> (elements rooms >>= disguised)]
+  obstacles <- mapM (\(x, y) -> shape >>= disguised . placedAt x y) cells
+  room <- oneof [pure Nothing, Just <$> (elements rooms >>= disguised . rawPolygon)]
   alone <- frequency [(9, pure False), (1, pure True)]
   name <- names
   similar (RawScene name room (if alone && isJust room then [] else obstacles))
@@ -48,7 +49,7 @@ validScenes = do
       , [at (-1) (-1), at 20 (-1), at 41 (-1), at 45 20, at 41 41, at (-1) 41]
       , [at (-1) (-1), at (19 % 2) (-1), at (19 % 2) (-9), at 41 (-9), at 41 41, at (-5) 41]
       ]
-    shifted x y (Point x' y') = Point (x + x') (y + y')
+    placedAt x y polygon = polygon {rawCorners = [Point (x + x') (y + y') | Point x' y' <- rawCorners polygon]}
 
 -- | A translated, scaled and turned copy with the same names.
 similar :: RawScene -> Gen RawScene
@@ -61,9 +62,17 @@ similar raw = do
       movedPolygon p = p {rawCorners = map moved (rawCorners p)}
   pure raw {rawEnclosure = movedPolygon <$> rawEnclosure raw, rawPolygons = map movedPolygon (rawPolygons raw)}
 
--- A simple polygon within [0, 9]².
-shape :: Gen [Point]
+-- A simple polygon or a wall within [0, 9]².
+shape :: Gen RawPolygon
 shape =
+  frequency
+    [ (8, rawPolygon <$> simple)
+    , (1, (\a b -> rawWall [at 0 a, at 4 9, at 9 b]) <$> elements [0, 1, 2] <*> elements [0, 5 % 3])
+    , (1, (\a -> rawWall [at 0 0, at 4 0, at 9 0, at 9 9, at a 5, at 1 1]) <$> elements [0, 1 % 2])
+    ]
+
+simple :: Gen [Point]
+simple =
   oneof
     [ (\a b c d -> [at 0 a, at 9 b, at (9 - c) 9, at d 8]) <$> small <*> small <*> small <*> small
     , (\a b -> [at a 0, at 9 b]) <$> small <*> small
@@ -87,18 +96,25 @@ shape =
     turnsLeft (x, y) (x', y') = x * y' - y * x' > (0 :: Rational)
     angle (x, y) = atan2 (fromRational y) (fromRational x) :: Double
 
--- Any first corner, either orientation, with a material and a name.
-disguised :: [Point] -> Gen RawPolygon
-disguised corners = do
-  k <- choose (0, n - 1)
+-- Any first corner of a ring, either orientation, with a material and a name.
+disguised :: RawPolygon -> Gen RawPolygon
+disguised polygon = do
+  k <- if rawForm polygon == Ring then choose (0, length corners - 1) else pure 0
   turned <- elements [id, reverse]
   sides <- choose (0, n) >>= \m -> take m <$> shuffle [0 .. n - 1]
   overrides <- mapM (const (MaterialOverride <$> perhaps emissions <*> perhaps reflectivities)) sides
   name <- names
   material <- oneof [pure black, Material <$> emissions <*> reflectivities]
-  pure (RawPolygon name (turned (take n (drop k (cycle corners)))) material (Map.fromList (zip sides overrides)))
+  pure
+    polygon
+      { rawPolygonName = name
+      , rawCorners = turned (drop k corners <> take k corners)
+      , rawMaterial = material
+      , rawSides = Map.fromList (zip sides overrides)
+      }
   where
-    n = length corners
+    corners = rawCorners polygon
+    n = sideTotal polygon
     emissions = elements [0, 1, 7 % 3]
     reflectivities = elements [0, 1 % 2, 99 % 100]
 
@@ -110,12 +126,59 @@ names = perhaps (Text.pack <$> elements ["lamp", "", "two rooms"])
 
 -- | Few polygons with few corners on a small lattice: all kinds of contacts and defects, alone and together.
 clutteredScenes :: Gen RawScene
-clutteredScenes = do
+clutteredScenes = frequency [(3, messy), (2, tidy)]
+
+-- A few polygons and walls on a very small lattice, simple as a rule: they touch and overlap in all ways.
+tidy :: Gen RawScene
+tidy = do
+  k <- choose (1, 4)
+  RawScene Nothing <$> frequency [(2, pure Nothing), (1, Just . rawPolygon <$> rectangle)] <*> vectorOf k polygon
+  where
+    polygon =
+      frequency
+        [ (3, rawPolygon <$> rectangle)
+        , (3, rawPolygon <$> triangle)
+        , (1, rawPolygon <$> angle)
+        , (1, rawPolygon <$> vectorOf 2 corner)
+        , (1, rawWall <$> vectorOf 3 corner)
+        , (2, rawPolygon <$> (corner >>= along 1))
+        , (3, rawWall <$> (choose (2, 5) >>= \n -> corner >>= along n))
+        ]
+    corner = at <$> coordinate <*> coordinate
+    coordinate = fromInteger <$> choose (0, 4)
+    interval = do
+      x <- choose (0, 3)
+      x' <- choose (x + 1, 4)
+      pure (fromInteger x, fromInteger x')
+    rectangle = do
+      (x, x') <- interval
+      (y, y') <- interval
+      pure [at x y, at x' y, at x' y', at x y']
+    triangle = do
+      found <- rectangle >>= shuffle
+      apex <- corner
+      pure (apex : take 2 found)
+    angle = do
+      (x, y) <- (,) <$> elements [0, 1, 2] <*> elements [0, 1, 2]
+      (dx, dy) <- (,) <$> elements [-2, 2] <*> elements [-2, 2]
+      pure [at (x + dx * a) (y + dy * b) | (a, b) <- [(0, 0), (1, 0), (1, 1 % 2), (1 % 2, 1 % 2), (1 % 2, 1), (0, 1)]]
+    -- So many steps along the axes by turns.
+    along :: Int -> Point -> Gen [Point]
+    along n from = elements [False, True] >>= steps n from
+    steps n from@(Point x y) across
+      | n == 0 = pure [from]
+      | otherwise = do
+          d <- elements [-2, -1, 1, 2]
+          (from :) <$> steps (n - 1) (if across then at (x + d) y else at x (y + d)) (not across)
+
+messy :: Gen RawScene
+messy = do
   k <- choose (0, 4)
   RawScene Nothing <$> frequency [(2, pure Nothing), (1, Just <$> room)] <*> vectorOf k polygon
   where
     room = frequency [(3, rawPolygon <$> box (whole 0 1) (whole 6 9)), (1, scribble), (1, placed)]
-    polygon = frequency [(3, placed), (2, scribble), (1, straight), (2, boxed), (1, wronged)]
+    polygon = frequency [(3, placed), (2, scribble), (1, straight), (2, boxed), (1, wronged), (1, walled)]
+    walled = (\polygon' -> polygon' {rawForm = Polyline}) <$> oneof [placed, scribble, straight]
     boxed = rawPolygon <$> box coordinate coordinate
     -- All corners on a line, in any order.
     straight = do

@@ -41,14 +41,24 @@ spec = do
   describe "validate: valid scenes" $ do
     prop "are valid to the oracle and to validate" $
       forAll validScenes $ \raw -> (errorsOf raw, naiveErrors raw) === ([], Set.empty)
-    prop "keep their corners under the file's names" $
+    prop "keep their corners under the file's names, those between the ends of a wall twice, once for each face" $
       forAllValid $ \raw scene ->
-        sort [(cornerName scene c, cornerPoint scene c) | c <- corners scene]
-          === sort
-            [ (CornerName p k, point)
-            | (p, polygon) <- polygonsOf raw
-            , (k, point) <- zip [0 ..] (rawCorners polygon)
-            ]
+        conjoin
+          [ sort [(cornerName scene c, cornerPoint scene c) | c <- corners scene]
+              === sort
+                [ (CornerName p k, point)
+                | (p, polygon) <- polygonsOf raw
+                , (k, point) <- zip [0 ..] (rawCorners polygon)
+                , _ <- [() | rawForm polygon == Polyline, k > 0, k < length (rawCorners polygon) - 1] <> [()]
+                ]
+          , statedCorners scene
+              === [ (CornerName p k, point)
+                  | (p, polygon) <- polygonsOf raw
+                  , (k, point) <- zip [0 ..] (rawCorners polygon)
+                  ]
+          , conjoin [namesHere scene c === [cornerName scene c] | c <- corners scene]
+          , sceneContacts scene === 0
+          ]
     prop "name sides by the file's corners k and k+1" $
       forAllValid $ \raw scene ->
         Map.fromList
@@ -56,10 +66,12 @@ spec = do
           | s <- sides scene
           ]
           === Map.fromList
-            [ (SideName p k, Set.fromList [CornerName p k, CornerName p ((k + 1) `mod` n)])
+            [ (SideName p k, Set.fromList [CornerName p i, CornerName p j])
             | (p, polygon) <- polygonsOf raw
             , let n = length (rawCorners polygon)
-            , k <- [0 .. n - 1]
+            , (k, i, j) <- case rawForm polygon of
+                Ring -> [(k, k, (k + 1) `mod` n) | k <- [0 .. n - 1]]
+                Polyline -> concat [[(k, k, k + 1), (2 * n - 3 - k, k + 1, k)] | k <- [0 .. n - 2]]
             ]
     prop "give each side its own material" $
       forAllValid $ \raw scene ->
@@ -68,24 +80,29 @@ spec = do
             [ (SideName p k, Material (fromMaybe (emission whole) e) (fromMaybe (reflectivity whole) r))
             | (p, polygon) <- polygonsOf raw
             , let whole = rawMaterial polygon
-            , k <- [0 .. length (rawCorners polygon) - 1]
+            , k <- [0 .. sideTotal polygon - 1]
             , let MaterialOverride e r = Map.findWithDefault (MaterialOverride Nothing Nothing) k (rawSides polygon)
             ]
-    prop "have the solid on the left of each side, and begin with the file's corner 0" $
+    prop "have the solid on the left of each side" $
       forAllValid $ \raw scene ->
         conjoin
-          [ counterexample (show polygon) $
+          [ counterexample (show (p, map (cornerName scene) walk)) $
               conjoin
-                [ polygonId polygon === p
-                , polygonName polygon === rawPolygonName (snd from)
-                , map (cornerName scene) (take 1 (polygonCorners polygon)) === [CornerName p 0]
-                , signum (doubledArea (map (cornerPoint scene) (polygonCorners polygon)))
-                    === (if length (polygonCorners polygon) == 2 then 0 else if p == Enclosure then -1 else 1)
-                , map (nextCorner scene) (polygonCorners polygon)
-                    === take (length (polygonCorners polygon)) (drop 1 (cycle (polygonCorners polygon)))
+                [ signum (doubledArea (map (cornerPoint scene) walk))
+                    === (if rawForm polygon == Polyline then 0 else if p == Enclosure then -1 else 1)
+                , length walk === sideTotal polygon
+                , map (previousCorner scene) (drop 1 walk <> take 1 walk) === walk
                 ]
-          | (polygon, from@(p, _)) <- zip (scenePolygons scene) (polygonsOf raw)
+          | (p, polygon) <- polygonsOf raw
+          , first <- concatMap (take 1) (cornersNamed scene (CornerName p 0))
+          , let walk = first : takeWhile (/= first) (drop 1 (iterate (nextCorner scene) first))
           ]
+    prop "have the polygons that the file states" $
+      forAllValid $ \raw scene ->
+        scenePolygons scene
+          === [ Polygon p (rawPolygonName polygon) (rawForm polygon) (rawCorners polygon)
+              | (p, polygon) <- polygonsOf raw
+              ]
     prop "are in a room when they have an enclosure" $
       forAllValid $ \raw scene ->
         (surroundings scene, sceneTitle scene) === (maybe OpenSky (const Room) (rawEnclosure raw), rawName raw)
@@ -95,6 +112,14 @@ spec = do
           prop name $ forAll (validScenes >>= defective defect) $ \(raw, expected) -> errorsOf raw === expected
       )
       defects
+  describe "validate: contacts are no defects" $
+    mapM_
+      ( \(name, polygons, places) ->
+          prop name $
+            forAll (similar (RawScene Nothing Nothing polygons)) $ \raw ->
+              (errorsOf raw, sceneContacts <$> either (const Nothing) Just (validate raw)) === ([], Just places)
+      )
+      contactsWithoutDefect
   describe "validate: one scene, one answer" $ do
     prop "turning the corners of a polygon around changes no verdict" $
       forAll clutteredScenes $ \raw ->
@@ -114,17 +139,26 @@ spec = do
         pair' gap = RawScene Nothing Nothing [square, rawPolygon [at (1 + gap) (1 % 3), at 2 0, at 2 1]]
         walls gap =
           RawScene Nothing Nothing [rawPolygon [at 0 0, at 3 1], rawPolygon [at 0 2, at (3 % 2) (1 % 2 + gap)]]
-        corner p = CornerName (Obstacle p)
+        inside gap =
+          RawScene Nothing (Just square) [rawPolygon [at (1 % 2) (1 % 2), at (1 - gap) (1 % 3), at (1 - gap) (2 % 3)]]
         side p = SideName (Obstacle p)
+        contactsOf raw = either (Left . toList) (Right . sceneContacts) (validate raw)
     it "beside a square" $ do
-      errorsOf (pair' tiny) `shouldBe` []
-      errorsOf (pair' 0) `shouldBe` [CornerOnSide (corner 1 0) (side 0 1) (at 1 (1 % 3))]
+      contactsOf (pair' tiny) `shouldBe` Right 0
+      contactsOf (pair' 0) `shouldBe` Right 1
       errorsOf (pair' (-tiny))
         `shouldBe` [CrossingSides (side 0 1) (side 1 0), CrossingSides (side 0 1) (side 1 2)]
     it "beside a wall" $ do
-      errorsOf (walls tiny) `shouldBe` []
-      errorsOf (walls 0) `shouldBe` [CornerOnSide (corner 1 1) (side 0 0) (at (3 % 2) (1 % 2))]
+      contactsOf (walls tiny) `shouldBe` Right 0
+      contactsOf (walls 0) `shouldBe` Right 1
       errorsOf (walls (-tiny)) `shouldBe` [CrossingSides (side 0 0) (side 1 0)]
+    it "along the side of a room" $ do
+      contactsOf (inside tiny) `shouldBe` Right 0
+      contactsOf (inside 0) `shouldBe` Right 2
+      errorsOf (inside (-tiny))
+        `shouldBe` [ CrossingSides (side 0 0) (SideName Enclosure 1)
+                   , CrossingSides (side 0 2) (SideName Enclosure 1)
+                   ]
   where
     forAllValid check = forAll validScenes $ \raw ->
       either (\e -> counterexample (show e) (property False)) (check raw) (validate raw)
@@ -132,11 +166,12 @@ spec = do
 errorsOf :: RawScene -> [SceneError]
 errorsOf = either toList (const []) . validate
 
--- The constructor, and whether one polygon or two take part.
+-- The constructor, and whether one polygon or two take part, or the enclosure.
 kind :: SceneError -> String
 kind e = case e of
-  CornerOnSide (CornerName p _) (SideName q _) _ -> constructor <> (if p == q then " itself" else "")
   CrossingSides (SideName p _) (SideName q _) -> constructor <> (if p == q then " itself" else "")
+  OverlappingWalls p q -> constructor <> (if p == q then " itself" else "")
+  OverlappingPolygons _ q -> constructor <> (if q == Enclosure then " enclosure" else "")
   _ -> constructor
   where
     constructor = takeWhile (/= ' ') (show e)
@@ -144,8 +179,8 @@ kind e = case e of
 allKinds :: [String]
 allKinds =
   words "EmptyScene TooFewCorners RepeatedCorner ZeroArea Spike NestedPolygon OutsideEnclosure NoSuchSide"
-    <> words "BadEmission BadReflectivity CornerOnCorner CornerOnSide CrossingSides"
-    <> ["CornerOnSide itself", "CrossingSides itself"]
+    <> words "BadEmission BadReflectivity CornerOnSide CrossingSides OverlappingPolygons OverlappingWalls"
+    <> ["CrossingSides itself", "OverlappingWalls itself", "OverlappingPolygons enclosure"]
 
 -- | A polygon or two, in a free place of the plane, and the errors they cause when the first has this number.
 type Defect = Int -> ([RawPolygon], [SceneError])
@@ -170,7 +205,6 @@ relocated :: (Point -> Point) -> SceneError -> SceneError
 relocated place e = case e of
   RepeatedCorner c j point -> RepeatedCorner c j (place point)
   Spike c point -> Spike c (place point)
-  CornerOnCorner c d point -> CornerOnCorner c d (place point)
   CornerOnSide c s point -> CornerOnSide c s (place point)
   _ -> e
 
@@ -248,42 +282,94 @@ defects =
         , [NestedPolygon (Obstacle p) (Obstacle (p + 1))]
         )
     )
-  , ( "corners that touch"
+  , ( "a polygon inside another that touches it in a corner"
     , \p ->
-        ( [square, rawPolygon [at 9 9, at 12 9, at 12 12]]
-        , [CornerOnCorner (corner p 2) (corner (p + 1) 0) (at 9 9)]
+        ( [square, rawPolygon [at 9 9, at 5 4, at 4 5]]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
         )
     )
-  , ( "a corner that touches a side"
+  , ( "a polygon inside another that touches a side of it"
     , \p ->
-        ( [square, rawPolygon [at 12 9, at 9 4]]
-        , [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]
+        ( [square, rawPolygon [at 2 2, at 9 4, at 2 6]]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
         )
     )
   , ( "a wall that touches from inside"
     , \p ->
         ( [square, rawPolygon [at 2 2, at 9 4]]
-        , [CornerOnSide (corner (p + 1) 1) (side p 1) (at 9 4)]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
         )
     )
-  , ( "sides that overlap"
+  , ( "a wall from a corner to a corner through a polygon, before it"
     , \p ->
-        ( [square, rawPolygon [at 4 0, at 13 0, at 13 (-5)]]
-        , [ CornerOnSide (corner p 1) (side (p + 1) 0) (at 9 0)
-          , CornerOnSide (corner (p + 1) 0) (side p 0) (at 4 0)
-          ]
+        ( [rawPolygon [at 9 9, at 0 0], square]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "a wall that goes through a polygon by a corner and a flat corner"
+    , \p ->
+        ( [rawPolygon [at 2 2, at 4 2, at 9 2, at 9 9, at 2 9], rawPolygon [at 4 0, at 4 12]]
+        , [CrossingSides (side p 3) (side (p + 1) 0)]
+        )
+    )
+  , ( "a bent wall that comes in by one corner and goes out by another"
+    , \p ->
+        ( [square, rawWall [at 10 12, at 9 9, at 4 5, at 9 0, at 12 0]]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "sides along each other with the solid on one side"
+    , \p ->
+        ( [square, rawPolygon [at 4 0, at 9 0, at 6 3]]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "one polygon twice, from other corners and the other way round"
+    , \p ->
+        ( [square, rawPolygon [at 0 9, at 9 9, at 9 0, at 0 0]]
+        , [OverlappingPolygons (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "three polygons in one place, of which two overlap"
+    , \p ->
+        ( [square, rawPolygon [at 9 9, at 20 9, at 20 20], rawPolygon [at 9 9, at 20 10, at 20 12]]
+        , [OverlappingPolygons (Obstacle (p + 1)) (Obstacle (p + 2))]
+        )
+    )
+  , ( "walls along each other"
+    , \p ->
+        ( [rawPolygon [at 0 0, at 6 3], rawWall [at 9 0, at 8 4, at 4 2]]
+        , [OverlappingWalls (Obstacle p) (Obstacle (p + 1))]
+        )
+    )
+  , ( "a wall along itself"
+    , \p ->
+        ( [rawWall [at 0 0, at 9 0, at 9 5, at 5 0, at 3 0]]
+        , [OverlappingWalls (Obstacle p) (Obstacle p)]
+        )
+    )
+  , ( "a wall that turns back"
+    , \p ->
+        ( [rawWall [at 0 0, at 9 0, at 5 0, at 5 5]]
+        , [Spike (corner p 1) (at 9 0)]
+        )
+    )
+  , ( "a wall that repeats a corner"
+    , \p ->
+        ( [rawWall [at 0 0, at 9 0, at 9 0, at 9 9, at 0 0]]
+        , [RepeatedCorner (corner p 2) 1 (at 9 0)]
+        )
+    )
+  , ( "a wall across itself"
+    , \p ->
+        ( [rawWall [at 0 0, at 9 9, at 9 0, at 0 9]]
+        , [CrossingSides (side p 0) (side p 2)]
         )
     )
   , ( "walls that cross"
     , \p ->
         ( [rawPolygon [at 0 0, at 9 9], rawPolygon [at 0 9, at 9 0]]
         , [CrossingSides (side p 0) (side (p + 1) 0)]
-        )
-    )
-  , ( "a wall through a corner"
-    , \p ->
-        ( [rawPolygon [at 0 0, at 9 0, at 5 5], rawPolygon [at 0 5, at 9 5]]
-        , [CornerOnSide (corner p 2) (side (p + 1) 0) (at 5 5)]
         )
     )
   , ( "an emission below 0"
@@ -310,8 +396,44 @@ defects =
         , [NoSuchSide (side p 4) 4]
         )
     )
+  , ( "a side number too large for a wall"
+    , \p ->
+        ( [ (rawWall [at 0 0, at 4 0, at 4 4])
+              { rawSides = Map.fromList [(k, MaterialOverride Nothing Nothing) | k <- [3, 4]]
+              }
+          ]
+        , [NoSuchSide (side p 4) 4]
+        )
+    )
   ]
   where
     corner p = CornerName (Obstacle p)
     side p = SideName (Obstacle p)
     square = rawPolygon [at 0 0, at 9 0, at 9 9, at 0 9]
+
+-- | Polygons that touch as they may, and the number of places where they do.
+contactsWithoutDefect :: [(String, [RawPolygon], Int)]
+contactsWithoutDefect =
+  [ ("corners that touch", [square, rawPolygon [at 9 9, at 12 9, at 12 12]], 1)
+  , ("a corner that touches a side", [square, rawPolygon [at 12 9, at 9 4]], 1)
+  , ("a corner in a reflex one", [rawPolygon [at 0 0, at 9 0, at 4 4, at 8 9], rawPolygon [at 4 4, at 9 2, at 9 6]], 1)
+  , ("sides along each other", [square, rawPolygon [at 4 0, at 13 0, at 13 (-5)]], 2)
+  , ("a whole side along another one", [square, rawPolygon [at 9 0, at 20 0, at 20 9, at 9 9]], 2)
+  , ("a side that covers two others", [square, rawPolygon [at 0 9, at 9 9, at 9 20, at 0 20], tall], 4)
+  , ("a polygon that fills a notch", [notched, rawPolygon [at 3 3, at 6 3, at 6 9, at 3 9]], 4)
+  , ("a wall through a corner", [rawPolygon [at 0 0, at 9 0, at 5 5], rawPolygon [at 0 5, at 9 5]], 1)
+  , ("a wall along a side, and beyond it", [square, rawPolygon [at 4 9, at 12 9]], 2)
+  , ("a wall between two polygons that touch", [square, tall, rawPolygon [at 9 0, at 9 9]], 2)
+  , ("a wall from polygon to polygon", [square, rawPolygon [at 12 0, at 20 0, at 20 9], rawPolygon [at 9 4, at 12 0]], 2)
+  , ("walls that share an end", [rawPolygon [at 0 0, at 4 4], rawPolygon [at 4 4, at 9 0]], 1)
+  , ("walls on one line that share an end", [rawPolygon [at 0 0, at 4 4], rawPolygon [at 4 4, at 9 9]], 1)
+  , ("a wall that ends on a wall", [rawPolygon [at 0 0, at 9 9], rawPolygon [at 4 4, at 9 0]], 1)
+  , ("walls through each other by their corners", [rawWall [at 0 0, at 4 4, at 9 0], rawWall [at 0 9, at 4 4, at 4 (-9)]], 1)
+  , ("a wall that comes back to its beginning", [rawWall [at 0 0, at 9 0, at 5 5, at 0 0]], 1)
+  , ("a wall that ends on itself", [rawWall [at 0 0, at 9 0, at 9 9, at 4 0]], 1)
+  , ("a wall that goes through itself by a corner", [rawWall [at 0 0, at 5 5, at 9 9, at 9 0, at 5 5, at 0 9]], 1)
+  ]
+  where
+    square = rawPolygon [at 0 0, at 9 0, at 9 9, at 0 9]
+    tall = rawPolygon [at 9 0, at 15 0, at 15 20, at 9 20]
+    notched = rawPolygon [at 0 0, at 9 0, at 9 9, at 6 9, at 6 3, at 3 3, at 3 9, at 0 9]

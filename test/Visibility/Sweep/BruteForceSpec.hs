@@ -47,8 +47,8 @@ spec = do
       found [[(0, 0), (0, -2), (-1, 0)], [(2, 0), (3, 2), (1, 2)], [(4, 0), (5, -2), (6, -1)]]
         `shouldSatisfy` elem ["0.2", "0.0", "1.0", "2.0"]
   describe "an elementary pair" $
-    it "is one of two consecutive corners of a vertex" $
-      property $ \(LatticeScene s) ->
+    it "is one of two consecutive corners of a vertex, or of two along one face of a wall" $
+      property $ \(AnyScene s) ->
         let scene = sampleScene s
-         in sort (concatMap vertexPairs (bruteForce scene))
+         in sort (concatMap (vertexPairs scene) (bruteForce scene))
               === [(p, q) | p <- corners scene, q <- corners scene, p < q, isElementary scene p q]

@@ -26,9 +26,9 @@ spec =
            in conjoin
                 [ counterexample (show (length swept, heading, c)) $
                     cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c
-                | let all' = concatMap vertexPairs (bruteForce scene)
+                | let all' = concatMap (vertexPairs scene) (bruteForce scene)
                 , (state, done) <- states
-                , let swept = concatMap vertexPairs done
+                , let swept = concatMap (vertexPairs scene) done
                 , heading <- [minBound ..]
                 , c <- corners scene
                 ]
@@ -60,9 +60,10 @@ spec =
         [] -> Nothing
     from Rightward c (a, b) = [b | a == c]
     from Leftward c (a, b) = [a | b == c]
-    bySlope scene (CornerId c) (CornerId p) (CornerId q) = case turn (scenePoints scene) c p q of
+    -- Of a wall's two faces on one line, that which has free space on the right of the way comes first.
+    bySlope scene from'@(CornerId c) to'@(CornerId p) (CornerId q) = case turn (scenePoints scene) c p q of
       LeftTurn -> LT
-      Collinear -> EQ
+      Collinear -> if nextCorner scene from' == to' then LT else GT
       RightTurn -> GT
 
 -- | A direction after -90 degrees, steeper than any line of two corners that is not vertical.

@@ -77,7 +77,7 @@ spec = do
       property $ \(LatticeScene s) ->
         let scene = sampleScene s
             states = start scene : map snd (trace scene)
-            early = [state | (state, vertex) <- zip states (map fst (trace scene)), not (isDegenerate vertex)]
+            early = [state | (state, vertex) <- zip states (map fst (trace scene)), not (isDegenerate scene vertex)]
          in not (null early) ==> forAll (elements [0 .. length early - 1]) $ \k ->
               conjoin (map (noticed s . withoutPending) (take 1 (drop k early)))
   where

@@ -1,10 +1,13 @@
 module Visibility.Sweep.VertexSpec (spec) where
 
+import Data.List (group)
+import Data.Maybe (mapMaybe)
+import qualified Data.Set as Set
 import Test.Hspec
-import Test.QuickCheck
+import Test.QuickCheck hiding (sample)
 import Visibility.Scene
 import Visibility.Sweep
-import Visibility.Sweep.Vertex (vertexLast)
+import Visibility.Test.Generator
 
 spec :: Spec
 spec = describe "a vertex" $ do
@@ -15,7 +18,31 @@ spec = describe "a vertex" $ do
   it "has a pair less than corners, each beginning where the one before ends" $
     property $ \a b ks ->
       let line = map CornerId (a : b : ks)
-       in fmap vertexPairs (fromCorners line) === Just (zip line (drop 1 line))
-  it "is degenerate from three corners on, and ends at the last" $
-    [(isDegenerate v, vertexLast v) | Just v <- map (fromCorners . map CornerId) [[3, 1], [3, 1, 2]]]
-      `shouldBe` [(False, CornerId 1), (True, CornerId 2)]
+       in fmap (\scene -> fmap (vertexPairs scene) (fromCorners line)) square === Just (Just (zip line (drop 1 line)))
+  it "has a pair or two, one for each face of a wall, between its corners in one place and those in the next one" $
+    property $ \(TouchingScene s) ->
+      let scene = sampleScene s
+          at = cornerPoint scene
+       in conjoin
+            [ counterexample (show (v, pairs)) $
+                map fst (runs (map (both at) pairs)) === zip places (drop 1 places)
+                  .&&. conjoin [length same <= 2 | (_, same) <- runs (map (both at) pairs)]
+                  .&&. and [p `elem` vertexCorners v && q `elem` vertexCorners v | (p, q) <- pairs]
+                  .&&. length pairs === Set.size (Set.fromList pairs)
+            | v <- bruteForce scene
+            , let pairs = vertexPairs scene v
+            , let places = map fst (runs (map at (vertexCorners v)))
+            ]
+  it "is degenerate from three places on, and ends at the last" $ do
+    fmap (\scene -> [(isDegenerate scene v, vertexLast v) | v <- made [[3, 1], [3, 1, 2]]]) square
+      `shouldBe` Just [(False, CornerId 1), (True, CornerId 2)]
+    -- A wall on a side of the square: two corners in the place where they touch.
+    fmap (\scene -> [(isDegenerate scene v, vertexCorners v) | v <- bruteForce scene, length (vertexCorners v) > 2]) wall
+      `shouldBe` Just [(False, map CornerId [3, 4, 6])]
+  where
+    square = sampleScene <$> sampleOf [unit]
+    wall = sampleScene <$> sampleOf [unit, [(2, 1), (3, 1)]]
+    unit = [(0, 0), (2, 0), (2, 3), (0, 2)]
+    made = mapMaybe (fromCorners . map CornerId)
+    both f (a, b) = (f a, f b)
+    runs xs = [(x, same) | same@(x : _) <- group xs]

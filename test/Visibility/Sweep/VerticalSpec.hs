@@ -31,7 +31,7 @@ spec = do
       it "finds the pair of least slope that leaves each corner forward, the nearest of collinear ones" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              pairs = concatMap vertexPairs (bruteForce scene)
+              pairs = concatMap (vertexPairs scene) (bruteForce scene)
               first heading c = case sortBy (leastSlope scene c) (forward pairs heading c) of
                 CornerId q : _ -> q
                 [] -> case sight (shoot scene c (turned heading (justAfterDown scene c))) of
@@ -57,14 +57,15 @@ spec = do
     forward pairs Leftward c = [p | (p, q) <- pairs, q == c]
     leastSlope scene c p q = case turn (scenePoints scene) (index c) (index p) (index q) of
       LeftTurn -> LT
-      Collinear -> EQ
+      -- Of a wall's two faces on one line, that which has free space on the right of the way comes first.
+      Collinear -> if nextCorner scene c == p then LT else GT
       RightTurn -> GT
     index (CornerId k) = k
 
 -- | A direction after -90 degrees and before the first vertex of a corner.
 justAfterDown :: Scene -> CornerId -> Direction
 justAfterDown scene c =
-  case sortBy compareDirections [lineTo q | q <- corners scene, q /= c] of
+  case sortBy compareDirections [lineTo q | q <- corners scene, not (samePlace scene q c)] of
     d : _ -> between (Direction 0 (-1)) d
     [] -> Direction 1 0
   where
