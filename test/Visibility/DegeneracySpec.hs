@@ -27,7 +27,7 @@ import Visibility.Exact.Predicate (Direction (..), primitive)
 import Visibility.Exact.RootSum (RootSum, Sign (..), fromTerms, rational, sign, zero)
 import Visibility.FormFactor
 import Visibility.Format.Graph (PairSelection (..), selectedPairs)
-import Visibility.Format.Json (readRawSceneFile, readSceneFile)
+import Visibility.Format.File (readRawSceneFile, readSceneFile)
 import Visibility.Scene
 import Visibility.Scene.Raw (RawScene (..), rawCorners)
 import Visibility.Sweep

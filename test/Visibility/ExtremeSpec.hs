@@ -52,7 +52,7 @@ spec = do
         onScene raw $ \scene -> do
           let defects = closureDefect scene (measuresIn scene)
           length defects `shouldBe` cornerCount scene
-          [objectText scene (Side side) | (side, defect) <- defects, sign defect /= Zero] `shouldBe` []
+          [sideText side | (side, defect) <- defects, sign defect /= Zero] `shouldBe` []
       it "has the same measures under every exact arithmetic, and all are positive" $
         onScene raw $ \scene -> do
           let under arithmetic = measureList scene (measuresIn (underArithmetic arithmetic scene))

@@ -285,9 +285,9 @@ spec = do
       quickly (sign (summed (ts ++ us))) `shouldReturn` Just Zero
       quickly (sign (summed ((1 % 10 ^ (100 :: Int), 2) : ts ++ us))) `shouldReturn` Just Positive
     it "decides sums whose coordinates have hundreds of digits" $ do
-      let long seed = map (\x -> (x + 1) ^ (21 :: Int) `div` (seed + 2)) (scrambled seed)
-          ts = [(c % n, n) | (x, y, c) <- take 60 (zip3 (long 1) (long 2) (long 3)), let n = x * x + y * y]
-          us = respelt (long 4) ts
+      let digits seed = map (\x -> (x + 1) ^ (21 :: Int) `div` (seed + 2)) (scrambled seed)
+          ts = [(c % n, n) | (x, y, c) <- take 60 (zip3 (digits 1) (digits 2) (digits 3)), let n = x * x + y * y]
+          us = respelt (digits 4) ts
       quickly (sign (summed (ts ++ us))) `shouldReturn` Just Zero
       quickly (sign (summed (ts ++ us ++ [(-1 % 10 ^ (1000 :: Int), 3)]))) `shouldReturn` Just Negative
   where

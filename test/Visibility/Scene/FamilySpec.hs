@@ -10,6 +10,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Point
+import Visibility.Scene (sceneContacts)
 import Visibility.Scene.Family
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)

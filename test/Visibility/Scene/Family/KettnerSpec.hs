@@ -8,7 +8,7 @@ import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Exact.RootSum (Sign (Zero), sign)
-import Visibility.Format.Json (readSceneFile)
+import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Family
@@ -52,13 +52,13 @@ spec = do
           map (length . vertexCorners) inLine `shouldSatisfy` any (>= 3)
       it "closes exactly" $
         inFile name $ \scene ->
-          [objectText scene (Side s) | (s, defect) <- closureDefect scene (measuresIn scene), sign defect /= Zero]
+          [sideText s | (s, defect) <- closureDefect scene (measuresIn scene), sign defect /= Zero]
             `shouldBe` []
       it "has turns about (12, 12) and (24, 24) that Doubles do not find" $
         inFile name $ \scene -> do
           let turns arithmetic =
                 [ turn (scenePoints (underArithmetic arithmetic scene)) c p q
-                | [Just (CornerId p), Just (CornerId q)] <- [map (cornerNamed scene) targets]
+                | [Just [CornerId p], Just [CornerId q]] <- [map (cornersNamed scene) targets]
                 , CornerId c <- corners scene
                 ]
           turns Filtered `shouldBe` turns Exact
