@@ -61,7 +61,7 @@ others =
 -- polygon-labelled quotient. If the tables are not well formed, this law alone.
 checked :: Complex -> [(Law, [Violation])]
 checked complex
-  | all (null . snd) verdicts = verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient complex)]
+  | all (null . snd) verdicts = verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient (exactly complex))]
   | otherwise = verdicts
   where
     verdicts = case lawViolations wellFormed complex of

@@ -139,10 +139,14 @@ sweepLine f tree size source = do
         e <- getNode tree (final (cornerList q))
         highest <- getNode tree (top e)
         cut tree q e highest
-    -- All pairs, the furthest first.
+    -- All pairs, the furthest first. When the first of a wall's two faces has been swept, its corner may have been linked
+    -- to the second one.
     advanceFrom k
       | k < 0 = pure ()
-      | otherwise = source k >>= advance f tree >> advanceFrom (k - 1)
+      | otherwise = do
+          when (k > 0 && k < size - 1) $ separate k
+          source k >>= advance f tree
+          advanceFrom (k - 1)
 {-# INLINE sweepLine #-}
 
 -- | The tree edge of p has been swept: find the next one.

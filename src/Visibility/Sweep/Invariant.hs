@@ -143,18 +143,24 @@ planarity scene state =
     apart a b c d = side a b c /= Collinear && side a b d == opposite (side a b c)
 
 -- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser or the same slope, one of
--- the two is pending: so the sweep cannot stop too early.
+-- the two is pending: so the sweep cannot stop too early. Where the pair is along one face of a wall whose other face
+-- leads to another corner, that must be so of the pair along the other face, too, and its corner counts as well.
 readiness :: Scene -> Sweep -> [Violation]
 readiness scene state =
   [ Violation "a pair that may be swept has a pending corner" (show (p, q))
   | CornerId p <- corners scene
   , Just q <- [right p]
-  , left q == Just p
-  , all (later p q) (right q)
-  , all (later q p) (left p)
-  , isPending state U.! p == 0 && isPending state U.! q == 0
+  , isReady (p, q)
+  , all isReady (twins p q)
+  , and [isPending state U.! c == 0 | (a, b) <- (p, q) : twins p q, c <- [a, b]]
   ]
   where
     right = cornerAhead scene (rightTree state)
     left = cornerAhead scene (leftTree state)
+    isReady (p, q) = any (isNext p q) (right p) && any (isNext q p) (left q) && all (later p q) (right q) && all (later q p) (left p)
+    -- Of a wall's two faces one is swept first.
+    isNext p q next = next == q || (isSplit p && all (`elem` besides p) [q, next])
+    twins p q = [(p, r) | isSplit p, q `elem` besides p, r <- besides p] <> [(r, q) | isSplit q, p `elem` besides q, r <- besides q]
+    isSplit = isSplitEnd scene . CornerId
+    besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
     later a b c = turn (scenePoints scene) a b c == LeftTurn

@@ -142,7 +142,7 @@ tidy = do
         , (1, rawPolygon <$> vectorOf 2 corner)
         , (1, rawWall <$> vectorOf 3 corner)
         , (2, rawPolygon <$> (corner >>= along 1))
-        , (3, rawWall <$> (choose (2, 5) >>= \n -> corner >>= along n))
+        , (5, rawWall <$> (choose (3, 6) >>= \n -> corner >>= along n))
         ]
     corner = at <$> coordinate <*> coordinate
     coordinate = fromInteger <$> choose (0, 4)

@@ -10,7 +10,7 @@ module Visibility.Complex.Law.Table
   ) where
 
 import Data.Int (Int32)
-import Data.List (sort)
+import Data.List (groupBy, sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
@@ -186,7 +186,8 @@ pairsSee =
   lawOf
     "consecutive corners of a vertex see each other"
     "Between two corners that follow each other on a vertex the open segment meets no corner, crosses no side, and \
-    \leaves the cone of free space at neither end: they are an elementary pair."
+    \leaves the cone of free space at neither end: they are an elementary pair. There is one between any two places that \
+    \follow each other, and every corner is in one."
     $ \complex ->
       [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
       | let rays = raysIn (complexScene complex)
@@ -194,6 +195,14 @@ pairsSee =
       , (CornerId p, CornerId q) <- pairsOf complex (cornersOf complex v)
       , fault <- faults complex rays p q
       ]
+        <> [ vertexLabel complex v <> " has corners without a pair"
+           | v <- [0 .. vertexTotal complex - 1]
+           , let line = map CornerId (cornersOf complex v)
+           , let groups = groupBy (samePlace (complexScene complex)) line
+           , let pairs = pairsOf complex (cornersOf complex v)
+           , any (`notElem` concat [[p, q] | (p, q) <- pairs]) line
+               || or [null [() | (p, q) <- pairs, p `elem` ps, q `elem` qs] | (ps, qs) <- zip groups (drop 1 groups)]
+           ]
   where
     faults complex rays p q =
       [ "the solid begins between them, at " <> cornerLabel complex a
