@@ -86,10 +86,10 @@ statementErrors shapes = concat [few shape <> sideNumbers shape <> materials sha
       [BadEmission place x | Just x <- [e], x < 0] <> [BadReflectivity place x | Just x <- [r], x < 0 || x >= 1]
 
 -- | Where boundaries meet. The sweep tells scenes without contacts at a cost that nothing can raise; only if it finds
--- something, all is looked for.
+-- something, all is looked for. It is not made for polygons that have something wrong at their own corners.
 contactsIn :: Outline -> [Contact]
 contactsIn o
-  | Set.null flat, Disjoint <- boundaries (outlineRanked o) segments = []
+  | all (null . alone o flat) (polygonIndices o), Disjoint <- boundaries (outlineRanked o) segments = []
   | otherwise = contacts o flat
   where
     flat = withoutArea o

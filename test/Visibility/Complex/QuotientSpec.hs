@@ -213,7 +213,8 @@ mutations =
   , ("a face too many", "quotient: numbers", \convex -> convex {regions = regions convex <> V.take 1 (regions convex)})
   , ( "a face that opens and closes at one vertex"
     , "quotient: numbers"
-    , onBounded (\region -> region {regionFirst = regionLast region})
+    , -- Some faces end where they begin, half a turn later; not all.
+      \convex -> convex {regions = V.map (\region -> region {regionFirst = regionLast region}) (regions convex)}
     )
   , ( "far too many faces, where all vertices are general"
     , "quotient: numbers in general position"

@@ -3,7 +3,7 @@
 module Visibility.Draw.SceneSpec (spec) where
 
 import Data.Foldable (for_)
-import Data.List (sort)
+import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
@@ -53,7 +53,7 @@ spec = do
         let scene = sampleScene s
             drawing = drawn scene
             written = length [() | Mark _ CornerLabel _ <- marksIn "labels" drawing]
-            missing = length (placeGroups scene) - written
+            missing = length (nub (map snd (statedCorners scene))) - written
             stated
               | missing == 0 = Text.empty
               | otherwise = Text.pack (show missing <> if missing == 1 then " corner without" else " corners without")
