@@ -662,14 +662,16 @@ cases =
       , inDirection (1, 0) ["1.0 0.0 0.0"]
       , cones "1.1" ["0.0", "0.0"]
       ]
-  , -- Half of the top is covered by the wall, and the lower face of the wall by the top.
-    Case "wall-along-side" "a wall along a side covers it: what is seen there is the wall" $
-      [ pairs "0.0-1.0 1.0-1.1 0.1-1.1 0.1-0.2 0.2-0.3 0.0-0.3"
-      , lines' ["0.0 1.0 1.1 0.1"]
-      , free [("0.0", 1 / 2, 2), ("1.0", 0, 0)]
-      , sizes 4 10 0 7
-      , seeOnlySky ["0.1", "0.2", "0.3", "1.1"]
+  , -- Half of the top is covered by the wall 1, whose lower face the top covers; half of the bottom by the wall 2, whose
+    -- upper face the bottom covers. Four lines, those of the top and of the bottom with four corners each.
+    Case "wall-along-side" "a wall along a side covers it, on either flank: what is seen there is the wall" $
+      [ pairs "0.0-1.0 1.0-1.1 0.1-1.1 0.1-0.2 0.0-0.3 0.3-2.0 2.0-2.1 0.2-2.1"
+      , lines' ["0.3 2.0 2.1 0.2", "0.0 1.0 1.1 0.1"]
+      , free [("0.0", 1 / 2, 2), ("0.2", 1 / 2, 2), ("1.0", 0, 0), ("2.1", 0, 0)]
+      , sizes 4 12 0 9
+      , seeOnlySky ["0.1", "0.3", "1.1", "2.0"]
       , factor "0.0" "sky" [(1 / 2, 1)]
+      , factor "0.2" "sky" [(1 / 2, 1)]
       ]
   , -- The lower half of the wall is between the squares. Above, the wall and either top are at a right angle.
     Case "wall-between" "a wall between two polygons sees nothing where they cover it" $
@@ -700,6 +702,7 @@ refusals =
   , Refusal "crossing-sides" "sides may not cross" $
       [CrossingSides (side 0 1) (side 1 0), CrossingSides (side 0 2) (side 1 3)]
   , Refusal "overlap" "polygons may not overlap where they touch" [OverlappingPolygons (Obstacle 0) (Obstacle 1)]
+  , Refusal "twins" "a polygon may not be stated twice" [OverlappingPolygons (Obstacle 0) (Obstacle 1)]
   , Refusal "nested" "a polygon may not lie inside another" [NestedPolygon (Obstacle 1) (Obstacle 0)]
   , Refusal "wall-into-solid" "a thin wall may not lead into a polygon" [OverlappingPolygons (Obstacle 0) (Obstacle 1)]
   , Refusal "out-of-the-room" "a polygon may not touch the room from outside" $
