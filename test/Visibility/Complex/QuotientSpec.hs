@@ -213,8 +213,15 @@ mutations =
   , ("a face too many", "quotient: numbers", \convex -> convex {regions = regions convex <> V.take 1 (regions convex)})
   , ( "a face that opens and closes at one vertex"
     , "quotient: numbers"
-    , -- Some faces end where they begin, half a turn later; not all.
-      \convex -> convex {regions = V.map (\region -> region {regionFirst = regionLast region}) (regions convex)}
+    , -- Some faces end where they begin, half a turn later; this one does not.
+      \convex ->
+        convex
+          { regions =
+              atFirst
+                (\region -> regionFirst region /= regionLast region)
+                (\region -> region {regionFirst = regionLast region})
+                (regions convex)
+          }
     )
   , ( "far too many faces, where all vertices are general"
     , "quotient: numbers in general position"
