@@ -16,8 +16,10 @@ BUILDDIR ?= dist-newstyle
 CABAL_FLAGS ?=
 # QuickCheck cases of each property in the run at -O0, which is slow.
 O0_CASES ?= 20
-# Scenes that `demo` runs.
+# Scenes that `demo` runs; for `soak`, how many random ones.
 SCENES ?= $(sort $(wildcard scenes/*.json scenes/*.geojson scenes/*.wkt))
+# The first of two seeds of `soak`.
+SEED ?= 1
 # Passed to the benchmark.
 BENCH_ARGS ?=
 
@@ -206,6 +208,31 @@ test: ## all tests, at -O2 and once at -O0; the last line is "N passed, N failed
 	bin() { cabal list-bin "$${o0[@]}" $(CABAL_FLAGS) "$$1"; }
 	run -O0 "$$(bin exe:viscomplex)" "$$(bin test:spec)" --qc-max-success=$(O0_CASES)
 	verdict
+
+.PHONY: soak
+soak: SCENES = 1000000
+soak: setup ## the sweeps against brute force on SCENES=1000000 random scenes, in two processes
+	@$(CABAL)
+	build bench:soak
+	soak=$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:soak)
+	logs=$$(mktemp -d); trap 'rm -rf "$$logs"' EXIT
+	half=$$(($(SCENES) / 2))
+	"$$soak" $$half $(SEED) > "$$logs/1" & first=$$!
+	"$$soak" $$(($(SCENES) - half)) $$(($(SEED) + 1)) > "$$logs/2" & second=$$!
+	status=0
+	wait $$first || status=1
+	wait $$second || status=1
+	# Scenes that fail first, then the figures of both processes by family, added up.
+	figures='^(.*): ([0-9]+) scenes, ([0-9]+) failed$$'
+	cat "$$logs"/* | grep -Ev "$$figures" || true
+	cat "$$logs"/* | sed -nE "s/$$figures/\2\t\3\t\1/p" | awk -F '\t' '
+	  !($$3 in scenes) { order[++count] = $$3 }
+	  { scenes[$$3] += $$1; failed[$$3] += $$2; all += $$1; wrong += $$2 }
+	  END {
+	    for (i = 1; i <= count; i++) printf "%-28s %9d scenes %5d failed\n", order[i], scenes[order[i]], failed[order[i]]
+	    printf "%-28s %9d scenes %5d failed\n", "all", all, wrong
+	  }'
+	exit $$status
 
 .PHONY: bench
 bench: build ## run the benchmark
