@@ -96,7 +96,13 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
     bends loop = [signum (crossOf a b c) | (a, b, c) <- zip3 loop (drop 1 (cycle loop)) (drop 2 (cycle loop))]
     isNonConvex polygon = let found' = bends (polygonPoints polygon) in 1 `elem` found' && (-1) `elem` found'
     partly = [part | s <- statedSides scene, let part = uncovered scene s, part < 1]
-    walks = length (nub [minimum (c : takeWhile (/= c) (drop 1 (iterate (nextCorner scene) c))) | c <- corners scene])
+    walks = [walk | c <- corners scene, let walk = walkFrom c, all (>= c) walk]
+    walkFrom c = c : takeWhile (/= c) (drop 1 (iterate (nextCorner scene) c))
+    -- Around free space, clockwise; the others go around what is solid.
+    isAroundFree walk = sum (zipWith crossProduct places (drop 1 places <> take 1 places)) < 0
+      where
+        places = map (cornerAt scene) walk
+    crossProduct (Vector2 ax ay) (Vector2 bx by) = ax * by - ay * bx
     points = scenePoints scene
     has feature = case feature of
       DegenerateVertex -> not (null degenerate)
@@ -120,16 +126,17 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
       CornerOnSide -> not (null touches)
       SideOnSide -> not (null partly)
       CoveredSide -> 0 `elem` partly
-      Pocket -> walks > length (scenePolygons scene)
+      Pocket -> length (filter isAroundFree walks) > length rooms
       AtEnclosure -> or [meets p Enclosure | (p@(Obstacle _), _) <- kinds]
       BentWall -> or [length loop > 2 | (_, Polyline, loop) <- loops]
       WallJunction -> or [True | ((_, Polyline), (_, Polyline)) <- touches]
       WallOnPolygon -> or [meets p q | (p, Polyline) <- kinds, (q, Ring) <- kinds]
-      SplitEnd -> hasSplitEnds scene && or [length pairs >= length (vertexCorners v) | v <- found, let pairs = vertexPairs scene v]
+      SplitEnd -> or [length (vertexPairs scene v) >= length (placesOf v) | v <- found]
     kernel = case pointsKernel points of
       MachineKernel _ -> "machine"
       FilterKernel _ -> "filter"
       _ -> "other"
+    placesOf = nub . map (cornerAt scene) . vertexCorners
     isVertical v = let Direction dx _ = vertexDirection scene v in dx == 0
     parallel v w = compareDirections (vertexDirection scene v) (vertexDirection scene w) == EQ
     bend c = turnAt (previousCorner scene c) c (nextCorner scene c)

@@ -37,6 +37,39 @@ spec = do
               . often 3 ByIntegers
               . often 4 Fractions
               . often 2 Alone
+              . often 30 CornerOnCorner
+              . often 10 ManyCorners
+              . often 20 CornerOnSide
+              . often 20 SideOnSide
+              . often 20 CoveredSide
+              . often 9 Pocket
+              . often 8 AtEnclosure
+              . often 6 BentWall
+              . often 2.5 WallJunction
+              . often 20 WallOnPolygon
+              . often 13 SplitEnd
+              $ True
+    it "that touch have all kinds of contacts, often enough, and all else that is hard" $
+      checkCoverage $ \(TouchingScene s) ->
+        let found = features s
+            often percent feature = cover percent (feature `elem` found) (show feature)
+         in often 80 CornerOnCorner
+              . often 35 ManyCorners
+              . often 45 CornerOnSide
+              . often 60 SideOnSide
+              . often 60 CoveredSide
+              . often 30 Pocket
+              . often 22 AtEnclosure
+              . often 22 BentWall
+              . often 8 WallJunction
+              . often 55 WallOnPolygon
+              . often 32 SplitEnd
+              . often 7 NonConvexRoom
+              . often 6 NonConvexObstacle
+              . often 50 FlatCorner
+              . often 11 WallInLine
+              . often 35 BothFlanks
+              . often 40 LongVertex
               $ True
     it "that are hard are beyond machine integers or fractional, often enough" $
       checkCoverage $ \(HardScene s) ->
