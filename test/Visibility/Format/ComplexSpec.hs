@@ -23,8 +23,16 @@ spec = describe "complexDocument" $ do
       property $ \(AnyScene s) ->
         let scene = sampleScene s
          in document (build scene (straightVertices scene)) === document (build scene (vertices scene))
+  modifyMaxSuccess (* 3) $
+    it "is the same to the last byte for both sweeps where polygons touch" $
+      property $ \(TouchingScene s) ->
+        let scene = sampleScene s
+         in document (build scene (straightVertices scene)) === document (build scene (vertices scene))
   it "is that of brute force" $
     property $ \(SmallScene s) ->
+      let scene = sampleScene s in document (byBruteForce scene) === document (complexOf scene)
+  it "is that of brute force where polygons touch" $
+    property $ \(TouchingScene s) ->
       let scene = sampleScene s in document (byBruteForce scene) === document (complexOf scene)
   it "is that of brute force in the files of small scenes" $ do
     names <- sort . filter ((== ".json") . takeExtension) <$> listDirectory "scenes"

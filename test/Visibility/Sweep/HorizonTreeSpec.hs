@@ -19,19 +19,10 @@ spec =
   describe "a horizon tree" $
     modifyMaxSuccess (* 3) $ do
       it "leads, in every state, along the unswept pair of least slope" $
-        property $ \(SmallScene s) ->
-          let scene = sampleScene s
-              found = trace scene
-              states = zip (start scene : map snd found) (inits (map fst found))
-           in conjoin
-                [ counterexample (show (length swept, heading, c)) $
-                    cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c
-                | let all' = concatMap (vertexPairs scene) (bruteForce scene)
-                , (state, done) <- states
-                , let swept = concatMap (vertexPairs scene) done
-                , heading <- [minBound ..]
-                , c <- corners scene
-                ]
+        property $ \(SmallScene s) -> leadsAlongLeast (sampleScene s)
+      it "leads, in every state, along the unswept pair of least slope, where polygons touch" $
+        forAllShrink (resize 10 touchingScene) shrinkSample $ \s ->
+          cornerCount (sampleScene s) <= 24 ==> leadsAlongLeast (sampleScene s)
       it "ends with what each corner sees upward" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
@@ -43,6 +34,17 @@ spec =
                 , c <- corners scene
                 ]
   where
+    leadsAlongLeast scene =
+      conjoin
+        [ counterexample (show (length swept, heading, c)) $
+            cornerTarget (targetOf scene (tree heading state) c) === nextPair scene all' swept heading c
+        | let all' = concatMap (vertexPairs scene) (bruteForce scene)
+        , let found = trace scene
+        , (state, done) <- zip (start scene : map snd found) (inits (map fst found))
+        , let swept = concatMap (vertexPairs scene) done
+        , heading <- [minBound ..]
+        , c <- corners scene
+        ]
     tree Rightward = rightTree
     tree Leftward = leftTree
     cornerTarget (ToCorner c) = Just c

@@ -55,6 +55,8 @@ spec = do
         property $ \(SmallScene s) ->
           let scene = sampleScene s
            in conjoin [violations scene state === [] | state <- start scene : map snd (trace scene)]
+      it "keeps them where polygons touch" $
+        property $ \(TouchingScene s) -> forAllState s $ \state -> violations (sampleScene s) state === []
       it "keeps them in scenes of any kind" $
         property $ \(AnyScene s) -> forAllState s $ \state -> violations (sampleScene s) state === []
   describe "the laws notice" $ do

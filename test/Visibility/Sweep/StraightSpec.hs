@@ -20,6 +20,11 @@ spec = do
         property $ \(AnyScene s) ->
           let scene = sampleScene s
            in straightVertices scene === sortBy (compareVertices scene) (vertices scene)
+    modifyMaxSuccess (* 10) $
+      it "are the vertices of the topological sweep where polygons touch" $
+        property $ \(TouchingScene s) ->
+          let scene = sampleScene s
+           in straightVertices scene === sortBy (compareVertices scene) (vertices scene)
     modifyMaxSuccess (* 5) $ do
       it "are those of brute force" $
         property $ \(SmallScene s) ->
