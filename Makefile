@@ -32,6 +32,7 @@ PACKAGES := ghc cabal-install hpack hspec-discover \
   libghc-quickcheck2-dev libghc-svg-builder-dev libghc-temporary-dev \
   libghc-vector-dev libghc-vector-algorithms-dev
 FIGURE_PACKAGES := librsvg2-bin
+PEER_PACKAGES := g++ libcgal-dev
 
 # All state of cabal lies in the checkout. Where the installed packages suffice, cabal knows no other source and never
 # looks for a network.
@@ -239,6 +240,18 @@ bench: build ## run the benchmark
 	@$(CABAL)
 	build bench:ladder
 	"$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:ladder)" $(BENCH_ARGS)
+
+.PHONY: bench-peers
+bench-peers: build ## time the visibility graph against CGAL's, on the same scenes
+	@$(INSTALLED)
+	if ! installed $(PEER_PACKAGES); then
+	  { command -v apt-get >/dev/null && install $(PEER_PACKAGES); } || { echo 'bench-peers needs CGAL and a C++ compiler (Debian: $(PEER_PACKAGES)).' >&2; exit 1; }
+	fi
+	mkdir -p dist-newstyle/peers
+	peer=dist-newstyle/peers/visibility_graph
+	[ "$$peer" -nt bench/peers/visibility_graph.cpp ] ||
+	  g++ -O3 -DNDEBUG -std=c++17 bench/peers/visibility_graph.cpp -o "$$peer" -lgmp -lmpfr
+	bash bench/peers/run.sh "$(EXE)" "$$peer" dist-newstyle/peers $(BENCH_ARGS)
 
 .PHONY: figures
 figures: ## turn the SVG in out/ into PNG, 800 pixels wide
