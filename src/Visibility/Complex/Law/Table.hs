@@ -186,8 +186,8 @@ pairsSee =
   lawOf
     "consecutive corners of a vertex see each other"
     "Between two corners that follow each other on a vertex the open segment meets no corner, crosses no side, and \
-    \leaves the cone of free space at neither end: they are an elementary pair. There is one between any two places that \
-    \follow each other, and every corner is in one."
+    \leaves the cone of free space at neither end, and where it runs along a side it joins the ends of that side: they \
+    \are an elementary pair. There is one between any two places that follow each other, and every corner is in one."
     $ \complex ->
       [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
       | let rays = raysIn (complexScene complex)
@@ -209,6 +209,15 @@ pairsSee =
       | (a, b) <- [(p, q), (q, p)]
       , entersSolid scene JustThen (CornerId a) (direction (scenePoints scene) a b)
       ]
+        <> [ "the side from " <> cornerLabel complex a <> " leads to another corner there, " <> cornerLabel complex r
+           | (a, b) <- [(p, q), (q, p)]
+           , let besides = [nextCorner scene (CornerId a), previousCorner scene (CornerId a)]
+           , CornerId b `notElem` besides
+           , r' <- besides
+           , samePlace scene r' (CornerId b)
+           , let CornerId r = r'
+           ]
+        <> ["they are in one place" | samePlace scene (CornerId p) (CornerId q)]
         <> [ "corner " <> cornerLabel complex r <> " or the side from it lies between them"
            | CornerId r <- hiders rays (CornerId p) (CornerId q)
            ]
