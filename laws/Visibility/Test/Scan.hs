@@ -129,13 +129,16 @@ somePoint scene =
     , (2, lattice)
     ]
   where
-    places = map (cornerPoint scene) (corners scene)
+    places = map snd (statedCorners scene)
     fraction = elements [1 % 2, 1 % 3, 2 % 3, 1 % 7, -1, -1 % 2, 2, 3 % 2, 5]
     on t (Point ax ay) (Point bx by) = Point (ax + t * (bx - ax)) (ay + t * (by - ay))
-    between = do
-      s <- elements (sides scene)
-      t <- elements [1 % 2, 1 % 3, 3 % 4]
-      pure (on t (cornerPoint scene (sideStart s)) (cornerPoint scene (sideEnd scene s)))
+    -- On a side, or, where there is none that is not covered, on any line.
+    between
+      | null (sides scene) = onLine
+      | otherwise = do
+          s <- elements (sides scene)
+          t <- elements [1 % 2, 1 % 3, 3 % 4]
+          pure (on t (cornerPoint scene (sideStart s)) (cornerPoint scene (sideEnd scene s)))
     onLine = on <$> fraction <*> elements places <*> elements places
     aligned = (\(Point x _) (Point _ y) -> Point x y) <$> elements places <*> elements places
     lattice = do
