@@ -55,8 +55,8 @@ data Sight = Sight
   deriving (Eq, Ord, Show)
 
 -- | All sights of a point in one form: neighbours that end at one object are one sight, directions are primitive, the
--- list begins after a gap of solid rays if there is one, else with any sight: of those to choose from, with the one that
--- begins first, turning from (1, 0) on.
+-- list begins after a gap of solid rays if there is one, else with any sight: of those to choose from, with the one
+-- that begins first, turning from (1, 0) on.
 --
 -- /Degenerate cases/ one object all around has the directions (1, 0) and (1, 0).
 --
@@ -109,9 +109,9 @@ data Mark = Here !Point | Beyond !Direction !Direction
 -- /Shape/ the list of points begins after the first unbounded part if there is one, the first when turning from (1, 0)
 -- on; else with the least point.
 --
--- /Degenerate cases/ where some rays from the point are solid, it is on the boundary; where they are in several parts, as
--- where polygons touch, it may be there several times. Where only sky is seen there is no point, and the one pair of directions is (1, 0), (1, 0). Where the sky fills a half plane, the one point is where
--- one stands, though it is flat.
+-- /Degenerate cases/ where some rays from the point are solid, it is on the boundary; where they are in several parts,
+-- as where polygons touch, it may be there several times. Where only sky is seen there is no point, and the one pair of
+-- directions is (1, 0), (1, 0). Where the sky fills a half plane, the one point is where one stands, though it is flat.
 --
 -- /Cost/ O(k log k) for k sights.
 --

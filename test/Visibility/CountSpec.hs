@@ -126,8 +126,11 @@ heaps scene = foldr join [] (scenePolygons scene)
     join p found = (p : concat touching) : apart
       where
         (touching, apart) = partition (any (touches p)) found
-    touches p q = or [on a s | a <- polygonPoints p, s <- segments q] || or [on b s | b <- polygonPoints q, s <- segments p]
-    segments p = zip (polygonPoints p) (drop 1 (polygonPoints p) <> [a | Ring <- [polygonForm p], a <- take 1 (polygonPoints p)])
+    touches p q =
+      or [on a s | a <- polygonPoints p, s <- segments q] || or [on b s | b <- polygonPoints q, s <- segments p]
+    segments p = zip points (drop 1 points <> [a | Ring <- [polygonForm p], a <- take 1 points])
+      where
+        points = polygonPoints p
     on c (a, b) = cross a b c == 0 && between c a b
 
 -- | Are these thin walls, all on one line?

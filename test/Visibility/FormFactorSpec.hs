@@ -51,7 +51,10 @@ spec = do
         property $ \(TouchingScene s) ->
           let scene = sampleScene s
               sums = measuresIn scene
-              byName = Map.fromListWith plus [(inOrder (both (seenAs scene) pair), area) | (pair, area) <- measureList scene sums]
+              byName =
+                Map.fromListWith
+                  plus
+                  [(inOrder (both (seenAs scene) pair), area) | (pair, area) <- measureList scene sums]
            in Map.fromList [(inOrder pair, merged area) | (pair, area) <- statedMeasures scene sums]
                 === fmap merged byName
       it "join no side to itself" $
@@ -71,7 +74,8 @@ spec = do
             factors = formFactors scene (measuresIn scene)
             table = Map.fromList [((TheSide (factorFrom f), factorTo f), f) | f <- factors]
          in conjoin
-              [ fmap (byLength scene) (Map.lookup (factorTo f, TheSide (factorFrom f)) table) === Just (byLength scene f)
+              [ fmap (byLength scene) (Map.lookup (factorTo f, TheSide (factorFrom f)) table)
+                  === Just (byLength scene f)
               | f <- factors
               , factorTo f /= TheSky
               ]

@@ -61,7 +61,8 @@ others =
 -- polygon-labelled quotient. If the tables are not well formed, this law alone.
 checked :: Complex -> [(Law, [Violation])]
 checked complex
-  | all (null . snd) verdicts = verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient (exactly complex))]
+  | all (null . snd) verdicts =
+      verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient (exactly complex))]
   | otherwise = verdicts
   where
     verdicts = case lawViolations wellFormed complex of

@@ -172,7 +172,8 @@ solidAt scene point@(Point x y) = case filter holds (scenePolygons scene) of
   polygon : _ -> polygonId polygon
   [] -> Enclosure
   where
-    holds polygon = polygonId polygon /= Enclosure && polygonForm polygon == Ring && (any isOn around || isInside around)
+    holds polygon =
+      polygonId polygon /= Enclosure && polygonForm polygon == Ring && (any isOn around || isInside around)
       where
         around = zip (polygonPoints polygon) (drop 1 (cycle (polygonPoints polygon)))
     isInside around = odd (length (filter isAbove around))

@@ -224,8 +224,8 @@ firstWhere holds low high
 -- | Where the curve of a point goes on after a vertex that the point is in line with.
 --
 -- /Degenerate cases/ a point on a side, at the line of the side, goes on at the side's end before it if it looks upward
--- from the side, else at the end after it. Of several corners in the place next to it on the line, those count from whose
--- cone of free space the line leads to it.
+-- from the side, else at the end after it. Of several corners in the place next to it on the line, those count from
+-- whose cone of free space the line leads to it.
 pastVertex :: Complex -> Eye -> Maybe SideId -> Direction -> VertexId -> Exit
 pastVertex complex eye piece to v = case (before, after) of
   ([], _) -> atLeft (towards (reversed to) after)

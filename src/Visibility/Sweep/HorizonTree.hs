@@ -139,8 +139,8 @@ sweepLine f tree size source = do
         e <- getNode tree (final (cornerList q))
         highest <- getNode tree (top e)
         cut tree q e highest
-    -- All pairs, the furthest first. When the first of a wall's two faces has been swept, its corner may have been linked
-    -- to the second one.
+    -- All pairs, the furthest first. When the first of a wall's two faces has been swept, its corner may have been
+    -- linked to the second one.
     advanceFrom k
       | k < 0 = pure ()
       | otherwise = do

@@ -157,10 +157,13 @@ readiness scene state =
   where
     right = cornerAhead scene (rightTree state)
     left = cornerAhead scene (leftTree state)
-    isReady (p, q) = any (isNext p q) (right p) && any (isNext q p) (left q) && all (later p q) (right q) && all (later q p) (left p)
+    isReady (p, q) =
+      and [any (isNext p q) (right p), any (isNext q p) (left q), all (later p q) (right q), all (later q p) (left p)]
     -- Of a wall's two faces one is swept first.
     isNext p q next = next == q || (isSplit p && all (`elem` besides p) [q, next])
-    twins p q = [(p, r) | isSplit p, q `elem` besides p, r <- besides p] <> [(r, q) | isSplit q, p `elem` besides q, r <- besides q]
+    twins p q =
+      [(p, r) | isSplit p, q `elem` besides p, r <- besides p]
+        <> [(r, q) | isSplit q, p `elem` besides q, r <- besides q]
     isSplit = isSplitEnd scene . CornerId
     besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
     later a b c = turn (scenePoints scene) a b c == LeftTurn

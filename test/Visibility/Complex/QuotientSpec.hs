@@ -62,7 +62,11 @@ spec = do
       property $ \(AnyScene s) ->
         let scene = sampleScene s
          in isConvex (quotientOf s)
-              === (surroundings scene == OpenSky && all isConvexPolygon (scenePolygons scene) && sceneContacts scene == 0)
+              === and
+                [ surroundings scene == OpenSky
+                , all isConvexPolygon (scenePolygons scene)
+                , sceneContacts scene == 0
+                ]
     modifyMaxSuccess (* 5) $
       it "does not change where a flat corner splits a side" $
         property $ \(ConvexScene s) -> forAll (splitSide (sampleRaw s)) $ \split ->

@@ -62,7 +62,7 @@ spec = do
       it "is all of every side where nothing touches" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-           in sceneContacts scene == 0 ==> [part | name <- statedSides scene, let part = uncovered scene name, part /= 1] === []
+           in sceneContacts scene == 0 ==> [name | name <- statedSides scene, uncovered scene name /= 1] === []
       it "is all of both faces of a wall where there are walls only, however they touch" $
         property $ \(TouchingScene s) ->
           case sample (sampleRaw s) {rawEnclosure = Nothing, rawPolygons = filter isWall (rawPolygons (sampleRaw s))} of
@@ -105,7 +105,7 @@ spec = do
             [ counterexample (show c) $ cornerName scene c === minimum (if null own then here else own)
             | c <- corners scene
             , let here = namesAt scene (cornerPoint scene c)
-            , let flanking = [p | s <- [leaving c, leaving (previousCorner scene c)], let SideName p _ = sideName scene s]
+            , let flanking = [p | side <- [c, previousCorner scene c], SideName p _ <- [sideName scene (leaving side)]]
             , let own = [name | name@(CornerName p _) <- here, p `elem` flanking]
             ]
       it "are counted as contacts where there are several, or a side passes" $
@@ -132,7 +132,8 @@ facesOf :: Scene -> [(SideName, (Point, Point))]
 facesOf scene = concatMap faces (scenePolygons scene)
   where
     faces polygon = case polygonForm polygon of
-      Ring -> [(SideName p k, if solidOnLeft then side else swapped side) | (k, side) <- zip [0 ..] (segmentsOf polygon)]
+      Ring ->
+        [(SideName p k, if solidOnLeft then side else swapped side) | (k, side) <- zip [0 ..] (segmentsOf polygon)]
       Polyline ->
         concat
           [ [(SideName p k, side), (SideName p (2 * n - 3 - k), swapped side)]
@@ -170,7 +171,8 @@ runAlong (a, b) (c, d) =
 
 -- | The part of a face that is covered: by the face of a ring that runs against it, or, of a ring's side, by a wall.
 coveredPart :: Scene -> SideName -> (Point, Point) -> Rational
-coveredPart scene (SideName p _) (a@(Point ax ay), b@(Point bx by)) = added (sort (concatMap lyingOn (scenePolygons scene)))
+coveredPart scene (SideName p _) (a@(Point ax ay), b@(Point bx by)) =
+  added (sort (concatMap lyingOn (scenePolygons scene)))
   where
     formAt q = [polygonForm polygon | polygon <- scenePolygons scene, polygonId polygon == q]
     lyingOn polygon
@@ -232,7 +234,11 @@ pointNear scene (Point x y) (Direction dx dy) = Point (x + t * fromInteger dx) (
 -- | Does a point that is on no boundary lie in no ring, and in the enclosure if there is one?
 isFree :: Scene -> Point -> Bool
 isFree scene (Point x y) =
-  and [isInside polygon == (polygonId polygon == Enclosure) | polygon <- scenePolygons scene, polygonForm polygon == Ring]
+  and
+    [ isInside polygon == (polygonId polygon == Enclosure)
+    | polygon <- scenePolygons scene
+    , polygonForm polygon == Ring
+    ]
   where
     isInside = odd . length . filter hit . segmentsOf
     hit (Point ax ay, Point bx by) = (ay <= y) /= (by <= y) && ax + (y - ay) / (by - ay) * (bx - ax) > x

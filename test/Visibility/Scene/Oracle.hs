@@ -15,7 +15,8 @@ import Visibility.Scene.Sample
 -- | All errors, in time O(n²) besides overlaps, which take O(n³).
 naiveErrors :: RawScene -> Set.Set SceneError
 naiveErrors raw =
-  Set.fromList (empty <> concatMap statement everything <> inThemselves <> crossings <> concatMap position pairs <> overlaps)
+  Set.fromList $
+    empty <> concatMap statement everything <> inThemselves <> crossings <> concatMap position pairs <> overlaps
   where
     everything = polygonsOf raw
     empty = [EmptyScene | null everything]

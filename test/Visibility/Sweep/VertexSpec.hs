@@ -37,12 +37,13 @@ spec = describe "a vertex" $ do
     fmap (\scene -> [(isDegenerate scene v, vertexLast v) | v <- made [[3, 1], [3, 1, 2]]]) square
       `shouldBe` Just [(False, CornerId 1), (True, CornerId 2)]
     -- A wall on a side of the square: two corners in the place where they touch.
-    fmap (\scene -> [(isDegenerate scene v, vertexCorners v) | v <- bruteForce scene, length (vertexCorners v) > 2]) wall
+    fmap (\scene -> [(isDegenerate scene v, vertexCorners v) | v <- bruteForce scene, isLong v]) wall
       `shouldBe` Just [(False, map CornerId [3, 4, 6])]
   where
     square = sampleScene <$> sampleOf [unit]
     wall = sampleScene <$> sampleOf [unit, [(2, 1), (3, 1)]]
     unit = [(0, 0), (2, 0), (2, 3), (0, 2)]
+    isLong v = length (vertexCorners v) > 2
     made = mapMaybe (fromCorners . map CornerId)
     both f (a, b) = (f a, f b)
     runs xs = [(x, same) | same@(x : _) <- group xs]
