@@ -117,12 +117,12 @@ wholeDirection x y = Direction (truncate (x / unit)) (truncate (y / unit))
       | b == 0 = a
       | otherwise = commonMeasure b (a - b * fromInteger (floor (a / b)))
 
--- | A point to look from: of interest, or anywhere near the scene.
+-- | A point to look from: of interest, or anywhere near the scene. In a room that is filled, all lie in the solid.
 somePoint :: Scene -> Gen Point
 somePoint scene =
   frequency
     [ (1, elements places)
-    , (2, between)
+    , (2, if null (sides scene) then onLine else between)
     , (2, crossing)
     , (2, aligned)
     , (2, onLine)
@@ -158,12 +158,12 @@ somePoint scene =
         det = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
         t = ((cx - ax) * (dy - cy) - (cy - ay) * (dx - cx)) / det
 
--- | All corners and the middles of all sides.
+-- | All corners and the middles of all sides, and of what is not covered of them.
 pointsOfInterest :: Scene -> [Point]
 pointsOfInterest scene =
-  map (cornerPoint scene) (corners scene)
+  map snd (statedCorners scene)
     <> [ Point ((ax + bx) / 2) ((ay + by) / 2)
-       | s <- sides scene
-       , let Point ax ay = cornerPoint scene (sideStart s)
-       , let Point bx by = cornerPoint scene (sideEnd scene s)
+       | (Point ax ay, Point bx by) <-
+           [(cornerPoint scene (sideStart s), cornerPoint scene (sideEnd scene s)) | s <- sides scene]
+             <> concat [zip loop (drop 1 loop <> take 1 loop) | loop <- map polygonPoints (scenePolygons scene)]
        ]

@@ -14,6 +14,7 @@ import Visibility.Exact.Point (Point (..))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.FormFactor
 import Visibility.Scene
+import Visibility.Scene.Raw
 import Visibility.Sight
 import Visibility.Sweep
 import Visibility.Test.Generator
@@ -48,6 +49,11 @@ spec = do
                     found -> fromName name point === found
                 | (name, point) <- statedCorners scene
                 ]
+    it "in a room that is filled sees nothing, and tells what is in the way" $
+      fmap
+        (\s -> map (lookAround (locatorOf (sampleScene s)) . AtPoint) [Point (1 / 2) (1 / 3), Point 0 0, Point 2 0])
+        filled
+        `shouldBe` Just [Left (Obstacle 0), Left (Obstacle 0), Left Enclosure]
     it "is tested from places of every kind" $
       checkCoverage $ \(AnyScene s) ->
         let scene = sampleScene s
@@ -103,6 +109,8 @@ spec = do
                      ]
               )
   where
+    filled = sample (RawScene Nothing (Just unit) [unit])
+    unit = rawPolygon [Point 0 0, Point 1 0, Point 1 1, Point 0 1]
     entry f = (factorFrom f, factorTo f, factorMeasure f, factorValue f)
     ends complex f
       | faceBack complex f == faceFront complex f = [faceBack complex f]
