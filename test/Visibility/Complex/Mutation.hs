@@ -121,6 +121,8 @@ mutations =
       , let p = value (stretchCorners c) e
       , let q = value (stretchCorners c) (e + 1)
       , x <- [0 .. q - 1]
+      , -- Where a line runs along both faces of a wall, its pairs are not those of neighbours in the list.
+        not (any (isSplitEnd (complexScene c)) (CornerId x : vertexCorners (vertexAt c (VertexId v))))
       , not (any (samePlace (complexScene c) (CornerId x)) [CornerId p, CornerId q])
       , not (isElementary (complexScene c) (CornerId x) (CornerId q))
       ]
