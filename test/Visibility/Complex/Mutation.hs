@@ -12,6 +12,7 @@ import Data.List (nub)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Type
 import Visibility.Scene
+import Visibility.Sweep (vertexCorners)
 import Visibility.Sweep.BruteForce (isElementary)
 
 -- | A way to break a complex: what it does, the name of the law that must be among those violated, and all complexes
