@@ -349,7 +349,11 @@ spec = do
           ["polygon 0", "polygon 1", "polygon 2"]
           [command, "-"]
           "{\"polygons\": [[[0,0],[1,1],[1,0],[0,1]], [[5,0],[6,0],[7,0]], [[10,0],[11,0],[10,0],[9,5]]]}"
-        refuses 4 ["polygon 0", "polygon 1"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[\"1/4\",\"1/2\"],[\"1/4\",\"1/4\"]]]}"
+        refuses
+          4
+          ["polygon 0", "polygon 1"]
+          [command, "-"]
+          "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[\"1/4\",\"1/2\"],[\"1/4\",\"1/4\"]]]}"
   where
     nowhere = "/nowhere/at/all.svg"
     sceneFiles = sort . filter ((`elem` [".json", ".geojson", ".wkt"]) . takeExtension) <$> listDirectory "scenes"

@@ -1,5 +1,6 @@
 -- | Random scenes aimed at degeneracy, as many as one has patience for: @soak SCENES SEED@ asks of each what
--- "Visibility.Test.Soak" asks, a family after the other, says how many of each were tried, and shows every scene that fails.
+-- "Visibility.Test.Soak" asks, a family after the other, says how many of each were tried, and shows every scene that
+-- fails.
 module Main (main) where
 
 import Control.Monad (foldM, unless, when)

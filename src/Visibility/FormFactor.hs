@@ -135,11 +135,11 @@ data FormFactor = FormFactor
 
 -- | All form factors that are not exactly zero, by the side they leave and what they reach, the sky last.
 --
--- /Degenerate cases/ a side whose parts are covered counts as a whole, with its whole length; what leaves a covered part
--- reaches nothing.
+-- /Degenerate cases/ a side whose parts are covered counts as a whole, with its whole length; what leaves a covered
+-- part reaches nothing.
 --
--- /Laws/ Σ_t F_st is the part of s that is not covered, 1 where nothing is (closure); L_s F_st = L_t F_ts (reciprocity);
--- both exact.
+-- /Laws/ Σ_t F_st is the part of s that is not covered, 1 where nothing is (closure); L_s F_st = L_t F_ts
+-- (reciprocity); both exact.
 formFactors :: Scene -> Measures -> [FormFactor]
 formFactors scene sums =
   [ formFactor scene s t total
@@ -147,11 +147,12 @@ formFactors scene sums =
   , (t, total) <- Map.toAscList row
   ]
   where
-    bySide = Map.fromListWith Map.union [(s, Map.singleton t total) | entry <- statedMeasures scene sums, (s, t, total) <- both entry]
+    bySide = Map.fromListWith Map.union [(s, Map.singleton t total) | (s, t, total) <- entries]
+    entries = concatMap both (statedMeasures scene sums)
     both ((a, b), total) = [(s, b, total) | TheSide s <- [a]] <> [(s, a, total) | TheSide s <- [b]]
 
--- | The measure of the lines between each two things of the file that see each other, each pair once: those of all pieces
--- of a side, added up.
+-- | The measure of the lines between each two things of the file that see each other, each pair once: those of all
+-- pieces of a side, added up.
 statedMeasures :: Scene -> Measures -> [((Seen, Seen), RootSum)]
 statedMeasures scene (Measures sums) =
   [((seenAs scene a, seenAs scene b), total) | ((a, b), total) <- measureList scene (Measures merged)]
@@ -182,12 +183,13 @@ sideLength scene s = RootSum.hypotenuse (1 % latticeScale (sceneLattice scene)) 
   where
     Vector2 dx dy = sideSpan scene s
 
--- | What a side lacks to closure: Σ_t A(s, t) − 2 u L_s for all sides by name, u being the part of it that nothing covers.
--- Each is exactly zero.
+-- | What a side lacks to closure: Σ_t A(s, t) − 2 u L_s for all sides by name, u being the part of it that nothing
+-- covers. Each is exactly zero.
 closureDefect :: Scene -> Measures -> [(SideName, RootSum)]
 closureDefect scene sums =
-  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` RootSum.scaled (2 * uncovered scene s) (sideLength scene s))
+  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` expected)
   | s <- statedSides scene
+  , let expected = RootSum.scaled (2 * uncovered scene s) (sideLength scene s)
   ]
   where
     rows =

@@ -42,8 +42,8 @@ viewpointAt (AtPoint point) = point
 -- | The rays from a point, counter-clockwise from one direction to another, that all end at one object.
 --
 -- /Shape/ all sights of a point are listed counter-clockwise, each beginning where the one before ends. Where that is
--- not so, in the middle or from the last to the first, the rays between lead into the solid: in one place, or in several
--- where polygons touch.
+-- not so, in the middle or from the last to the first, the rays between lead into the solid: in one place, or in
+-- several where polygons touch.
 --
 -- /Degenerate cases/ equal directions stand for a full turn, never for none.
 data Sight = Sight
@@ -176,11 +176,12 @@ rayMeets scene (Point x y) (Direction dx dy) side = Point (x + t * along) (y + t
 elementFactors :: Scene -> Direction -> [Sight] -> [(Seen, RootSum)]
 elementFactors scene normal sights =
   [ (object, total)
-  | (object, added) <- Map.toAscList (Map.fromListWith RootSum.plus [(seenAs scene (sightObject s), weight s) | s <- sights])
+  | (object, added) <- Map.toAscList (Map.fromListWith RootSum.plus weights)
   , let total = RootSum.merged added
   , not (null (RootSum.terms total))
   ]
   where
+    weights = [(seenAs scene (sightObject s), weight s) | s <- sights]
     Direction nx ny = primitive normal
     rightmost = Direction ny (negate nx)
     weight (Sight from to _) = RootSum.scaled (1 % 2) (swept from to)

@@ -132,8 +132,8 @@ freeBitangents scene vertex =
   ]
 
 -- | What the file calls an elementary pair: each stated corner in the place of the first with each in the place of the
--- second, smaller name first. Of the two pairs along the two faces of one piece of a thin wall, one has all the names, the
--- other none.
+-- second, smaller name first. Of the two pairs along the two faces of one piece of a thin wall, one has all the names,
+-- the other none.
 --
 -- /Cost/ O(1) where nothing touches; of a side, O(k) for k corners in the places of its ends.
 statedPairs :: Scene -> (CornerId, CornerId) -> [(CornerName, CornerName)]
@@ -142,7 +142,7 @@ statedPairs scene (p, q)
   | isSecondFace = []
   | otherwise = [inOrder a b | a <- namesHere scene p, b <- namesHere scene q]
   where
-    isSecondFace = or [(p', q') < (p, q) | joins p q, p' <- around p, q' <- besides p', samePlace scene q q', joins p' q']
+    isSecondFace = joins p q && or [(p', q') < (p, q) | p' <- around p, q' <- besides p', samePlace scene q q']
     inOrder a b = if a <= b then (a, b) else (b, a)
     joins a b = b `elem` besides a
     besides c = [nextCorner scene c, previousCorner scene c]

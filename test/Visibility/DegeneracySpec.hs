@@ -662,8 +662,8 @@ cases =
       , inDirection (1, 0) ["1.0 0.0 0.0"]
       , cones "1.1" ["0.0", "0.0"]
       ]
-  , -- Half of the top is covered by the wall 1, whose lower face the top covers; half of the bottom by the wall 2, whose
-    -- upper face the bottom covers. Four lines, those of the top and of the bottom with four corners each.
+  , -- Half of the top is covered by the wall 1, whose lower face the top covers; half of the bottom by the wall 2,
+    -- whose upper face the bottom covers. Four lines, those of the top and of the bottom with four corners each.
     Case "wall-along-side" "a wall along a side covers it, on either flank: what is seen there is the wall" $
       [ pairs "0.0-1.0 1.0-1.1 0.1-1.1 0.1-0.2 0.0-0.3 0.3-2.0 2.0-2.1 0.2-2.1"
       , lines' ["0.3 2.0 2.1 0.2", "0.0 1.0 1.1 0.1"]

@@ -89,7 +89,8 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
     onSegment point (a, b) =
       point /= a && point /= b && crossOf a b point == 0 && min a b < point && point < max a b
     crossOf (Point ax ay) (Point bx by) (Point cx cy) = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    touches = [((p, f), (q, g)) | (p, f, loop) <- loops, ((q, g), side) <- segments, p /= q, any (`onSegment` side) loop]
+    touches =
+      [((p, f), (q, g)) | (p, f, loop) <- loops, ((q, g), side) <- segments, p /= q, any (`onSegment` side) loop]
     meets p q = or [a == b | (p', _, loop) <- loops, p' == p, (q', _, other) <- loops, q' == q, a <- loop, b <- other]
       || or [True | ((p', _), (q', _)) <- touches, (p', q') `elem` [(p, q), (q, p)]]
     kinds = [(p, form) | (p, form, _) <- loops]

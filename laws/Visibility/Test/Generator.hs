@@ -192,7 +192,8 @@ touchingScene = frequency [(5, growing), (1, kept . map ring <$> sideBySide)]
           box <- placed edge
           let everything = maybe id (:) (rawEnclosure now) (rawPolygons now)
               whole (Point x y) = (numerator x, numerator y)
-              sides' = concat [zip loop (drop 1 loop <> take 1 loop) | p <- everything, let loop = map whole (rawCorners p)]
+              loops = map (map whole . rawCorners) everything
+              sides' = concat [zip loop (drop 1 loop <> take 1 loop) | loop <- loops]
           added now <$> proposal box sides'
     proposal box [] = ring <$> shape 5 box
     proposal box sides' =

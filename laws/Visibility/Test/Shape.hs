@@ -167,14 +167,14 @@ withFlatCorners loop = concat <$> mapM side (zip loop (drop 1 (cycle loop)))
       ks <- sublistOf [1 .. min 3 (g - 1)]
       pure (a : [(ax + k * dx, ay + k * dy) | k <- ks])
 
--- | Some rectangles of a grid without gaps, of different widths and heights: they touch along whole sides or parts of them,
--- or in corners, and may close off pockets.
+-- | Some rectangles of a grid without gaps, of different widths and heights: they touch along whole sides or parts of
+-- them, or in corners, and may close off pockets.
 sideBySide :: Gen [[Corner]]
 sideBySide = do
   xs <- cuts
   ys <- cuts
   chance <- choose (3, 9 :: Int)
-  chosen <- mapM (\cell -> (,) cell <$> choose (0, 9)) [(column, row) | column <- zip xs (drop 1 xs), row <- zip ys (drop 1 ys)]
+  chosen <- mapM (\cell -> (,) cell <$> choose (0, 9)) [(c, r) | c <- zip xs (drop 1 xs), r <- zip ys (drop 1 ys)]
   pure [[(x, y), (x', y), (x', y'), (x, y')] | (((x, x'), (y, y')), k) <- chosen, k < chance]
   where
     cuts = choose (2, 4) >>= \n -> scanl (+) 0 <$> vectorOf n (choose (1, 2))

@@ -218,8 +218,8 @@ linked n owners = runST $ do
   where
     total = U.length owners
 
--- | Sorts items into so many groups, keeping their order: where each group starts, and what is to be shown of the items,
--- by their groups. Items of a negative group are left out.
+-- | Sorts items into so many groups, keeping their order: where each group starts, and what is to be shown of the
+-- items, by their groups. Items of a negative group are left out.
 grouped :: Int -> U.Vector Int32 -> (Int -> Int) -> (U.Vector Int32, U.Vector Int32)
 grouped groups groupOf shown = runST $ do
   sizes <- M.replicate (groups + 1) (0 :: Int32)

@@ -181,12 +181,13 @@ vertexBack complex v = beyondEnd complex stretchBacks (vertexEdgesAfter complex 
 vertexFront :: Complex -> VertexId -> Maybe Object
 vertexFront complex v = beyondEnd complex stretchFronts (reverse (vertexEdgesAfter complex v))
 
--- | What is seen from the first of some stretches, or from the other one in its place, where the line runs along both faces
--- of a wall: it goes on along one of them at most.
+-- | What is seen from the first of some stretches, or from the other one in its place, where the line runs along both
+-- faces of a wall: it goes on along one of them at most.
 beyondEnd :: Complex -> (Complex -> U.Vector Int32) -> [EdgeId] -> Maybe Object
 beyondEnd complex table found = listToMaybe (mapMaybe object here)
   where
-    here = [e | first <- take 1 found, e <- takeWhile (samePlace scene (edgeCorner complex first) . edgeCorner complex) found]
+    here = [e | first <- take 1 found, e <- takeWhile (samePlace scene (cornerOf first) . cornerOf) found]
+    cornerOf = edgeCorner complex
     object (EdgeId e) = objectOf scene (at (table complex) e)
     scene = complexScene complex
 
@@ -257,10 +258,11 @@ edgeTo :: Complex -> EdgeId -> Direction
 edgeTo complex e = directionOf complex (edgeLast complex e)
 
 directionOf :: Complex -> VertexId -> Direction
-directionOf complex (VertexId v) =
-  direction (scenePoints (complexScene complex)) (cornerFrom v) (at (stretchCorners complex) (at (vertexStarts complex) (v + 1) - 1))
+directionOf complex (VertexId v) = direction (scenePoints (complexScene complex)) (corner first) (corner end)
   where
-    cornerFrom = at (stretchCorners complex) . at (vertexStarts complex)
+    corner = at (stretchCorners complex)
+    first = at (vertexStarts complex) v
+    end = at (vertexStarts complex) (v + 1) - 1
 
 -- | Does the stretch go on over the end of the half turn? Its last part is then read backwards.
 wrapsAround :: Complex -> EdgeId -> Bool

@@ -71,7 +71,8 @@ sceneDrawing scene vertices =
         }
     (labels, leaders, unlabelled)
       | fewCorners scene = placeLabels scenery (cornerRequests scene frame)
-      | otherwise = (mapMaybe (polygonLabel (placeOfPoint scene frame) (concatMap wideLines lights)) (scenePolygons scene), [], [])
+      | otherwise = (mapMaybe inside (scenePolygons scene), [], [])
+    inside = polygonLabel (placeOfPoint scene frame) (concatMap wideLines lights)
 
     width = canvasWidth
     top = frameHeight frame + footHeight
@@ -96,6 +97,7 @@ sceneDrawing scene vertices =
         <> countedUnlabelled unlabelled
     Totals vertexTotal degenerate pairs = foldl' addVertex (Totals 0 0 0) vertices
     addVertex (Totals a b c) vertex =
-      Totals (a + 1) (if isDegenerate scene vertex then b + 1 else b) (c + length (concatMap (statedPairs scene) (vertexPairs scene vertex)))
+      Totals (a + 1) (if isDegenerate scene vertex then b + 1 else b) (c + length (pairsOf vertex))
+    pairsOf = concatMap (statedPairs scene) . vertexPairs scene
 
 data Totals = Totals !Int !Int !Int

@@ -206,7 +206,9 @@ besideSide scene place side s out
 
 -- | Is the side a face of a thin wall?
 isFaceOfWall :: Scene -> SideId -> Bool
-isFaceOfWall scene side = or [isThin polygon | polygon <- scenePolygons scene, SideName p _ <- [sideName scene side], polygonId polygon == p]
+isFaceOfWall scene side = or [isThin polygon | polygon <- scenePolygons scene, polygonId polygon == owner]
+  where
+    SideName owner _ = sideName scene side
 
 -- | Dots at flat corners of a scene whose corners are labelled: there a label would name a corner that no outline
 -- shows.
@@ -242,8 +244,8 @@ wideLines mark = map (Line (strokeWidth Sparse (markStyle mark) / 2)) (strokes m
 dotBoxes :: [Mark] -> [Box]
 dotBoxes marks = [widened (dotRadius Sparse style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
 
--- | A label for each place with corners, with all their names. It had best lie where the free angle is widest, opposite the
--- solid; where all is solid, anywhere.
+-- | A label for each place with corners, with all their names. It had best lie where the free angle is widest, opposite
+-- the solid; where all is solid, anywhere.
 cornerRequests :: Scene -> Frame -> [Request]
 cornerRequests scene frame =
   [cornerRequest scene (placeOf scene frame) c group | group@(c : _) <- placeGroups scene]

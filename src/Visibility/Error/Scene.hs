@@ -90,7 +90,8 @@ sceneErrorText problem = case problem of
     | q == Enclosure -> polygon p <> ": reaches out of the enclosure; it may touch the enclosure, keep all of it inside"
     | otherwise -> polygon p <> ": overlaps " <> polygon q <> "; polygons may touch, move them apart until they only do"
   OverlappingWalls p q
-    | p == q -> polygon p <> ": runs along itself; end the thin wall where it meets itself, or leave out the repeated part"
+    | p == q ->
+        polygon p <> ": runs along itself; end the thin wall where it meets itself, or leave out the repeated part"
     | otherwise ->
         polygon p <> ": runs along " <> polygon q <> ", and two thin walls in one place leave open which is in front"
           <> "; let one of them end where it meets the other"

@@ -95,8 +95,8 @@ data Kernel
     -- of two below 2^62, and the difference of two products below 2^63: nothing overflows in 64 bits.
     MachineKernel !(U.Vector Int32)
   | -- | x, y, error of x, error of y of corner i from 4i on. Each error bounds |coordinate·2^−k − its Double|, for the
-    -- one k for all x, and the one for all y, that brings them below 1; the Doubles are at most 1. Signs of determinants
-    -- do not change when an axis is scaled.
+    -- one k for all x, and the one for all y, that brings them below 1; the Doubles are at most 1. Signs of
+    -- determinants do not change when an axis is scaled.
     FilterKernel !(U.Vector Double)
   | -- | As for the filter, whose signs are counted.
     TallyKernel !Tally !(U.Vector Double)

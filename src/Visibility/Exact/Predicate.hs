@@ -91,11 +91,11 @@ machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x 
 -- Write u = 2^-53. Each stored coordinate â has |a - â| <= e(a), with e(a) stored. For a difference D = b - a, the
 -- Double D̂ = fl(b̂ - â) satisfies |D - D̂| <= E := e(a) + e(b) + u|D̂| (subtraction cannot underflow).
 -- For a product P = D1·D2 and P̂ = fl(D̂1·D̂2): |P - P̂| <= |D̂1|E2 + |D̂2|E1 + E1E2 + u|P̂| + 2^-1074.
--- The determinant is P1 - P2, computed with one more rounding of at most u|det^|. The sum of these terms, without the two
--- 2^-1074, is computed as the bound.
--- It is itself computed in fewer than forty operations on non-negative Doubles, each with relative error at most u or an
--- absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and the
--- summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the
+-- The determinant is P1 - P2, computed with one more rounding of at most u|det^|. The sum of these terms, without the
+-- two 2^-1074, is computed as the bound.
+-- It is itself computed in fewer than forty operations on non-negative Doubles, each with relative error at most u or
+-- an absolute loss of 2^-1074 by underflow; all Doubles are at most 1, so nothing overflows. The factor 1 + 2^-40 and
+-- the summand 2^-1000 dominate those losses and the two 2^-1074. So a computed |det^| above the computed bound has the
 -- sign of the determinant.
 
 -- | The turn, if the filter is sure of it. It can be sure of a left or a right turn only: 'Collinear' means that it is

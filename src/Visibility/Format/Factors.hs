@@ -32,8 +32,8 @@ data Detail = DecimalsOnly | WithExactMeasures
 -- /Shape/ CSV: header @from,to,value@, with exact measures also @measure@, Σ coefficient·√radicand = 2·L·F as
 -- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.
 --
--- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is not,
--- exactly, and so has the text: the factors of the side add up to that.
+-- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
+-- not, exactly, and so has the text: the factors of the side add up to that.
 factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
 factorsDocument format detail wanted scene factors = case format of
   FactorsCsv -> csv detail wanted factors

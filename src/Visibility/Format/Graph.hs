@@ -68,7 +68,8 @@ sortedGraphLines scene selection found = go (U.toList sorted)
 chunkSize :: Int
 chunkSize = 4096
 
--- | A number for each selected pair of a vertex that sorts as its line does: (rank of the first name) · n + rank of the second.
+-- | A number for each selected pair of a vertex that sorts as its line does: (rank of the first name) · n + rank of the
+-- second.
 pairKeys :: Scene -> Names -> PairSelection -> Vertex -> [Int]
 pairKeys scene names selection = case selection of
   AllPairs | not (hasSharedPlaces scene) -> map direct . vertexPairs scene
@@ -79,8 +80,8 @@ pairKeys scene names selection = case selection of
     direct (CornerId p, CornerId q) = let a = ranks U.! p; b = ranks U.! q in min a b * n + max a b
     ranks = U.fromList [rankOf names (cornerName scene c) | c <- corners scene]
 
--- | The texts of all corners of the file, in order, one after the other, and where each begins and the last ends; and by
--- polygon, the enclosure last, the rank of its corner 0.
+-- | The texts of all corners of the file, in order, one after the other, and where each begins and the last ends; and
+-- by polygon, the enclosure last, the rank of its corner 0.
 data Names = Names
   { nameBytes :: !(U.Vector Word8)
   , nameStarts :: !(U.Vector Int)

@@ -89,15 +89,15 @@ data Overlap
     WallsOverlap !Int !Int
   deriving (Eq, Ord, Show)
 
--- | What leads away from a place: the open arc of directions that lead into a ring, from one direction counter-clockwise
--- to another, or the direction of a piece of a thin wall. Directions are those to other corners.
+-- | What leads away from a place: the open arc of directions that lead into a ring, from one direction
+-- counter-clockwise to another, or the direction of a piece of a thin wall. Directions are those to other corners.
 data Limb = Arc !Int !Int !Int | Ray !Int !Int
 
 -- | All that overlaps at places where boundaries meet.
 --
 -- /Requires/ the contacts of simple rings and of thin walls without zero lengths, none of which cross each other: then
--- polygons whose boundaries meet overlap if and only if they do at some place of contact. /Cost/ at each place of contact
--- quadratic in the number of sides there.
+-- polygons whose boundaries meet overlap if and only if they do at some place of contact. /Cost/ at each place of
+-- contact quadratic in the number of sides there.
 overlaps :: Outline -> [Contact] -> Set.Set Overlap
 overlaps o found = Set.fromList (concatMap (clashes . uncurry (limbs o)) (Map.elems (contactPlaces o found)))
   where
@@ -199,11 +199,11 @@ data Face = Face !Int !Int !SideName
 
 -- | All corners of the boundary, by place in lexicographic order; in one place by name, and then by side.
 --
--- /Degenerate cases/ a stated corner that is all covered has none, one in several cones of free space has several. Where
--- all of a room is filled, there are none.
+-- /Degenerate cases/ a stated corner that is all covered has none, one in several cones of free space has several.
+-- Where all of a room is filled, there are none.
 --
--- /Requires/ a valid scene, and its contacts. /Cost/ O(n log n), and at each place of contact quadratic in the number of
--- sides there.
+-- /Requires/ a valid scene, and its contacts. /Cost/ O(n log n), and at each place of contact quadratic in the number
+-- of sides there.
 freeCorners :: Outline -> [Contact] -> [FreeCorner]
 freeCorners o found =
   [ FreeCorner from (placeId U.! from) name side (ranks U.! (followers U.! f))
@@ -230,8 +230,8 @@ freeCorners o found =
     inOrder fs@[_] = fs
     inOrder fs = sortBy (byAngle `on` (\f -> let Face from to _ = faces V.! f in (from, to))) fs
     byAngle = angleOrder o
-    -- The next face counter-clockwise from the one that arrives: between them is a cone of free space. One that leads back
-    -- the same way comes last, after a full turn.
+    -- The next face counter-clockwise from the one that arrives: between them is a cone of free space. One that leads
+    -- back the same way comes last, after a full turn.
     follower f = fromMaybe f (listToMaybe (filter later here <> here))
       where
         Face from to _ = faces V.! f

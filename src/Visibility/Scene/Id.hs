@@ -69,14 +69,14 @@ readCornerName text = case break (== '.') text of
       | not (null digits), all (`elem` ['0' .. '9']) digits, take 1 digits /= "0" || digits == "0" = readMaybe digits
       | otherwise = Nothing
 
--- | A corner of free space: its rank in the lexicographic order of the scene's corners, from 0. Corners in one place, but
--- in different cones of free space, follow each other.
+-- | A corner of free space: its rank in the lexicographic order of the scene's corners, from 0. Corners in one place,
+-- but in different cones of free space, follow each other.
 newtype CornerId = CornerId Int
   deriving (Eq, Ord, Show)
 
 -- | A side, named by the corner it starts at when the solid is kept on its left (obstacles counter-clockwise, the
--- enclosure clockwise). The two faces of a thin wall start at its two ends. Where other polygons cover a part of a side, each
--- uncovered piece of it is a side of its own here, all with the one name that the file gives.
+-- enclosure clockwise). The two faces of a thin wall start at its two ends. Where other polygons cover a part of a
+-- side, each uncovered piece of it is a side of its own here, all with the one name that the file gives.
 newtype SideId = SideId Int
   deriving (Eq, Ord, Show)
 

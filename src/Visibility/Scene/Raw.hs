@@ -38,8 +38,8 @@ data RawPolygon = RawPolygon
 data Form
   = -- | Around an area, the last corner with the first. Side k joins the corners k and k + 1.
     Ring
-  | -- | In a line, a thin wall. Of n corners, side k joins the corners k and k + 1, and side 2n − 3 − k is the other face
-    -- of the same piece: the sides go along one face of the wall and back along the other.
+  | -- | In a line, a thin wall. Of n corners, side k joins the corners k and k + 1, and side 2n − 3 − k is the other
+    -- face of the same piece: the sides go along one face of the wall and back along the other.
     Polyline
   deriving (Eq, Ord, Show, Enum, Bounded)
 

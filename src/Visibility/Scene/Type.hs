@@ -146,7 +146,7 @@ assemble title touching polygons boundary =
     , splitEnds = if U.or split then split else U.empty
     , cornerNames = V.map freeName free
     , sideNames = V.map freeSide free
-    , cornersByName = Map.fromList [(name, here) | (at, names) <- Map.toList namesAt, let here = cornersAt at, name <- names]
+    , cornersByName = Map.fromList [(name, cornersAt at) | (at, names) <- Map.toList namesAt, name <- names]
     , namesByCorner = V.fromList [Map.findWithDefault [] (placeOf f) namesAt | f <- boundary]
     , piecesByName =
         Map.fromListWith (flip (<>)) [(freeSide f, [SideId i]) | (i, f) <- zip [0 ..] (V.toList free)]
@@ -169,7 +169,8 @@ assemble title touching polygons boundary =
     points = pointsOn Filtered (map placeOf boundary)
     neighbours =
       U.replicate (2 * n) 0
-        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] (map freeNext boundary)]
+        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] following]
+    following = map freeNext boundary
     places = U.fromListN n (map (fromIntegral . freeNumber) boundary)
     byPlace = groupBy ((==) `on` fst) (zip (map placeOf boundary) (map CornerId [0 ..]))
     cornersByPlace = Map.fromList [(at, map snd group) | group@((at, _) : _) <- byPlace]
@@ -252,8 +253,8 @@ hasSplitEnds :: Scene -> Bool
 hasSplitEnds = not . U.null . splitEnds
 {-# INLINE hasSplitEnds #-}
 
--- | What the file calls this corner: of the stated corners in its place, the first that belongs to a polygon on one of its
--- flanks. Different corners in one place may have one name.
+-- | What the file calls this corner: of the stated corners in its place, the first that belongs to a polygon on one of
+-- its flanks. Different corners in one place may have one name.
 cornerName :: Scene -> CornerId -> CornerName
 cornerName scene (CornerId c) = cornerNames scene V.! c
 
@@ -310,8 +311,8 @@ sideName scene (SideId s) = sideNames scene V.! s
 statedSides :: Scene -> [SideName]
 statedSides = Map.keys . statedByName
 
--- | What is not covered of a side of the file: the side itself, or pieces of it, or nothing; 'Nothing' if the file has no
--- such side.
+-- | What is not covered of a side of the file: the side itself, or pieces of it, or nothing; 'Nothing' if the file has
+-- no such side.
 piecesOf :: Scene -> SideName -> Maybe [SideId]
 piecesOf scene name
   | name `Map.member` statedByName scene = Just (Map.findWithDefault [] name (piecesByName scene))

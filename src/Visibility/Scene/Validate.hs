@@ -6,7 +6,7 @@ module Visibility.Scene.Validate
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -24,16 +24,17 @@ import Visibility.Scene.Type (Scene, StatedPolygon (..), assemble)
 -- | The scene, or everything that is wrong with it: sorted by polygon and then by corner or side, nothing twice.
 --
 -- Polygons may touch, in corners and along sides, but not overlap; so may thin walls, and a thin wall may touch itself,
--- but no two pieces of walls may lie along each other. Reported once: an overlap of two polygons, in however many places.
--- A thin wall has its two faces in one place, and crossings name that on the right of the way along it. What follows
--- from something else is left out: contacts at a spike between the sides that make it, contacts of a polygon of no area
--- with itself, overlaps of solids whose boundaries cross, and whether polygons whose boundaries meet are nested. A
--- polygon of too few corners is looked at no further; overlaps are not looked for while a polygon has something wrong
--- with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of times.
+-- but no two pieces of walls may lie along each other. Reported once: an overlap of two polygons, in however many
+-- places. A thin wall has its two faces in one place, and crossings name that on the right of the way along it. What
+-- follows from something else is left out: contacts at a spike between the sides that make it, contacts of a polygon of
+-- no area with itself, overlaps of solids whose boundaries cross, and whether polygons whose boundaries meet are
+-- nested. A polygon of too few corners is looked at no further; overlaps are not looked for while a polygon has
+-- something wrong with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of
+-- times.
 --
--- /Cost/ of a valid scene without contacts O(n log² n) for its boundaries, however they lie, and for each pair of polygons
--- of which one has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at worst. Of
--- others besides O(1) for each pair of sides whose boxes overlap, and what 'overlaps' takes.
+-- /Cost/ of a valid scene without contacts O(n log² n) for its boundaries, however they lie, and for each pair of
+-- polygons of which one has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at
+-- worst. Of others besides O(1) for each pair of sides whose boxes overlap, and what 'overlaps' takes.
 --
 -- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has
 -- the corners, sides and materials that the file gives, under the file's names.
@@ -104,7 +105,7 @@ geometryErrors o found = inThemselves <> crossings <> overlapping <> positionErr
     crossedByThemselves = [() | Cross s t <- found, owner s == owner t]
     crossed = Set.fromList [pairOf (owner s) (owner t) | Cross s t <- found]
     overlapping
-      | null inThemselves && null crossedByThemselves = [e | clash <- Set.toList (overlaps o found), Just e <- [overlapError clash]]
+      | null inThemselves && null crossedByThemselves = mapMaybe overlapError (Set.toList (overlaps o found))
       | otherwise = []
     overlapError (SolidsOverlap p q)
       | (p, q) `Set.member` crossed = Nothing

@@ -62,7 +62,8 @@ isElementary scene p q =
     alongSides = faces p q && faces q p
     faces a b = null (ahead a b) || b `elem` ahead a b
     -- The corners that sides of a towards b lead to.
-    ahead a b = [r | r <- [nextCorner scene a, previousCorner scene a], (a < r) == (a < b), turned Collinear scene a b r]
+    ahead a b = [r | r <- besides a, (a < r) == (a < b), turned Collinear scene a b r]
+    besides a = [nextCorner scene a, previousCorner scene a]
     blocksAsCorner r = between r && turned Collinear scene p q r
     between r = p < r && r < q && cornerAt scene r `notElem` [cornerAt scene p, cornerAt scene q]
     blocksAsSide s = separated p q a b && separated a b p q

@@ -99,8 +99,8 @@ openCut scene keeper = do
   pure cut
 {-# INLINE openCut #-}
 
--- Tables are read and written below without checks of their bounds: corners are below n, quarters below 4n, and objects,
--- where they are no solid, at most n.
+-- Tables are read and written below without checks of their bounds: corners are below n, quarters below 4n, and
+-- objects, where they are no solid, at most n.
 
 -- | Turns the cut through a vertex.
 --

@@ -122,8 +122,8 @@ plant scene heading vertical = runST $ do
       | following f p == preceding f p = [following f p]
       | otherwise = [following f p, preceding f p]
 
--- | Sweeps one vertex: so many pairs, the k-th of them from its source to its target in the order of the heading as given,
--- each pair being the tree edge of its source, or the next one after that along a wall's other face.
+-- | Sweeps one vertex: so many pairs, the k-th of them from its source to its target in the order of the heading as
+-- given, each pair being the tree edge of its source, or the next one after that along a wall's other face.
 --
 -- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per pair besides the chain steps, which are counted.
 sweepLine :: Frame -> Growing s -> Int -> (Int -> ST s Int) -> ST s ()
@@ -201,7 +201,10 @@ besideSolid f tree p q =
 underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 underCeiling f tree !p !l !e
   | e /= noNode, comesBefore f p s, not (sharePlace f p s) = settle f tree p l e
-  | a < frameSize f, comesBefore f p a, not (sharePlace f p a) = getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
+  | a < frameSize f
+  , comesBefore f p a
+  , not (sharePlace f p a) =
+      getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
   | otherwise = settle f tree p l e
   where
     !a = listOwner l
@@ -260,8 +263,8 @@ hidesAsEdge f tree p e = do
   if own == e then hides f tree p e else pure False
 {-# INLINE hidesAsEdge #-}
 
--- | Does this tree edge, from s to t, hide t from p? One from the place of p never does: it lies in another cone of free
--- space there.
+-- | Does this tree edge, from s to t, hide t from p? One from the place of p never does: it lies in another cone of
+-- free space there.
 hides :: Frame -> Growing s -> Int -> Node -> ST s Bool
 hides f tree p e
   | comesBefore f p s = do

@@ -152,8 +152,8 @@ nextDirection scene faces = do
             then ((c, d) :) <$> sameDirection least size (2 * i : 2 * i + 1 : rest)
             else sameDirection least size rest
 
--- | The vertices of one direction from their elementary pairs, which may be repeated: pairs with a corner in common are on
--- one vertex.
+-- | The vertices of one direction from their elementary pairs, which may be repeated: pairs with a corner in common are
+-- on one vertex.
 joined :: [(Int, Int)] -> [Vertex]
 joined pairs = mapMaybe (fromCorners . map CornerId . IntSet.toAscList) (components (IntMap.keysSet besides))
   where

@@ -70,8 +70,9 @@ start scene =
 --
 -- /Degenerate cases/ all corners on a maximal free segment make one vertex, however many there are.
 --
--- /Cost/ O(n log n) to start, then O(1) per elementary pair and chain step; O(n) live memory. Measured, there are about three
--- chain steps per pair; that there are O(m) is proved by Rivière for another scan of the chains, not for this one.
+-- /Cost/ O(n log n) to start, then O(1) per elementary pair and chain step; O(n) live memory. Measured, there are about
+-- three chain steps per pair; that there are O(m) is proved by Rivière for another scan of the chains, not for this
+-- one.
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]
@@ -258,8 +259,8 @@ readyLine scene right left !p !q
   where
     points = scenePoints scene
 
--- | All corners of the line of p and q, in order, if it is a vertex that may be swept now; where it runs along both faces
--- of a wall, the pairs at a free end of the wall come one after the other, but are swept together.
+-- | All corners of the line of p and q, in order, if it is a vertex that may be swept now; where it runs along both
+-- faces of a wall, the pairs at a free end of the wall come one after the other, but are swept together.
 --
 -- /Cost/ O(log k) for each of k corners.
 readyTracks :: Scene -> Growing s -> Growing s -> Int -> Int -> ST s (Maybe [Int])
@@ -291,7 +292,8 @@ readyTracks scene right left !p !q = fmap IntSet.toAscList <$> go [p] (IntSet.si
           _ -> pure Nothing
     leadsBack tree c d = do
       l <- getList tree (target d)
-      pure (l == cornerList c || (isSplitEnd scene (CornerId d) && c `elem` besides d && map cornerList (take 1 (besides d)) == [l]))
+      pure (l == cornerList c || (isSplitEnd scene (CornerId d) && c `elem` besides d && l `elem` firstOf d))
+    firstOf d = map cornerList (take 1 (besides d))
     -- The corners at the other ends of a wall's two faces, that of the face which is swept first before the other.
     besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
 

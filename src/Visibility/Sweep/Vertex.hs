@@ -19,9 +19,9 @@ import Visibility.Scene.Cone
 -- | A maximal free segment with two or more corners on it: the corners in order along the line, from left to right (the
 -- order of their ids), all of them. Two in general position; more make a degenerate vertex, which is as good as any.
 --
--- /Degenerate cases/ a line along a thin wall that stands alone runs along both its faces at once. So does one along a wall
--- that something touches, or that has corners between its ends, as long as the two faces lead to one free end: then two
--- corners in one place, one for each face, may follow each other here.
+-- /Degenerate cases/ a line along a thin wall that stands alone runs along both its faces at once. So does one along a
+-- wall that something touches, or that has corners between its ends, as long as the two faces lead to one free end:
+-- then two corners in one place, one for each face, may follow each other here.
 data Vertex = Vertex !CornerId !CornerId ![CornerId]
   deriving (Eq, Ord, Show)
 
@@ -29,8 +29,8 @@ data Vertex = Vertex !CornerId !CornerId ![CornerId]
 vertexCorners :: Vertex -> [CornerId]
 vertexCorners (Vertex a b rest) = a : b : rest
 
--- | The elementary visible pairs of a vertex, from left to right: its consecutive corners. Where the line runs along both
--- faces of a piece of a wall, a pair for each face, that of the upper one first.
+-- | The elementary visible pairs of a vertex, from left to right: its consecutive corners. Where the line runs along
+-- both faces of a piece of a wall, a pair for each face, that of the upper one first.
 --
 -- /Cost/ O(1) for each.
 vertexPairs :: Scene -> Vertex -> [(CornerId, CornerId)]

@@ -139,12 +139,12 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
 slabs :: Scene -> V.Vector (Set Crossing)
 slabs scene = V.reverse (V.fromListN (cornerCount scene + 1) (Set.empty : [s | (_, _, s) <- visits scene Rightward]))
 
--- | Visits the places of corners against the heading and keeps the sides that cross the vertical: each corner with what is
--- found there, and the sides that cross the vertical after its place.
+-- | Visits the places of corners against the heading and keeps the sides that cross the vertical: each corner with what
+-- is found there, and the sides that cross the vertical after its place.
 --
 -- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
--- with p on a chain stay, so that the first target is the nearest. Of the corners in one place, at most one sees down and
--- at most one sees up: those whose cones contain these directions.
+-- with p on a chain stay, so that the first target is the nearest. Of the corners in one place, at most one sees down
+-- and at most one sees up: those whose cones contain these directions.
 --
 -- /Cost/ O(n log n) for the status, O(n) for the chains.
 visits :: Scene -> Heading -> [(Int, Row, Set Crossing)]
@@ -194,9 +194,9 @@ visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (place
             side = freeAbove scene (Crossing q p)
 
     neighbours p = if next p == previous p then [next p] else [next p, previous p]
-    -- Sides at one place, from the lowest to the uppermost, seen from their ends there: the first ends of those that arrive,
-    -- for which lower means that the turn to the next one is to the right, or the second ends of those that leave. Of the
-    -- two faces of one piece of a wall the lower one, which has free space on its right, comes first.
+    -- Sides at one place, from the lowest to the uppermost, seen from their ends there: the first ends of those that
+    -- arrive, for which lower means that the turn to the next one is to the right, or the second ends of those that
+    -- leave. Of the two faces of one piece of a wall the lower one, which has free space on its right, comes first.
     upwards' _ [] = []
     upwards' _ [side] = [side]
     upwards' wanted found = sortBy order found

@@ -156,8 +156,8 @@ pairFaces :: Law
 pairFaces =
   lawOf
     "an elementary pair begins one face and ends one"
-    "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, and the last vertex of as many. \
-    \The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has corners \
+    "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, and the last vertex of as \
+    \many. The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has corners \
     \between its ends, each face has its own pairs."
     $ \complex ->
       let tally table =
@@ -186,9 +186,9 @@ counts =
   lawOf
     "the numbers of vertices, edges and faces fit"
     "The bounded faces are as many as elementary pairs, those between the two ends of an untouched thin wall counted \
-    \twice, and V − E − B + F is W + 1 under the sky and W in a room: V vertices, E edges, B buried stretches, F faces, W \
-    \straight walls that nothing touches, with corners between their ends or not. Contacts change nothing else: a corner in \
-    \several cones of free space counts as often."
+    \twice, and V − E − B + F is W + 1 under the sky and W in a room: V vertices, E edges, B buried stretches, F \
+    \faces, W straight walls that nothing touches, with corners between their ends or not. Contacts change nothing \
+    \else: a corner in several cones of free space counts as often."
     $ \complex ->
       let scene = complexScene complex
           total = stretchTotal complex
@@ -203,9 +203,12 @@ counts =
 
 -- | The walks around walls that lie on one line: the first corner of each.
 straightWalls :: Scene -> [CornerId]
-straightWalls scene = [c | c <- filter (isWallEnd scene) (corners scene), walk <- [walkFrom c], all (>= c) walk, straight walk]
+straightWalls scene =
+  [c | c <- filter (isWallEnd scene) (corners scene), walk <- [walkFrom c], all (>= c) walk, straight walk]
   where
     walkFrom c = c : takeWhile (/= c) (drop 1 (iterate (nextCorner scene) c))
     straight walk = and [onLine a b | (a, b) <- zip walk (drop 1 walk <> take 1 walk)]
     -- Flat, or an end: the sides before and after a corner are on one line.
-    onLine (CornerId a) b = let CornerId i = b; CornerId c = nextCorner scene b in turn (scenePoints scene) a i c == Collinear
+    onLine (CornerId a) b@(CornerId i) = turn (scenePoints scene) a i c == Collinear
+      where
+        CornerId c = nextCorner scene b

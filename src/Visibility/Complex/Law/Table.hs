@@ -166,7 +166,8 @@ cornersOnLine :: Law
 cornersOnLine =
   lawOf
     "the corners of a vertex lie on its line, in order"
-    "The corners of a vertex are collinear and come from left to right, that is, by increasing id; not all in one place."
+    "The corners of a vertex are collinear and come from left to right, that is, by increasing id; not all in one \
+    \place."
     $ \complex ->
       [ vertexLabel complex v
       | v <- [0 .. vertexTotal complex - 1]

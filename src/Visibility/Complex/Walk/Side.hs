@@ -72,13 +72,13 @@ data SideLook = SideLook
   -- ^ How many faces were visited.
   }
 
--- | All that a side of the file sees, with exact measures and form factors: all its pieces together. 'Nothing' if the file
--- has no such side.
+-- | All that a side of the file sees, with exact measures and form factors: all its pieces together. 'Nothing' if the
+-- file has no such side.
 --
 -- /Cost/ proportional to the faces of the side and their boundaries, besides the arithmetic of sums of roots.
 --
--- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to the part of
--- the side that is not covered.
+-- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to the
+-- part of the side that is not covered.
 sees :: SideIndex -> SideName -> Maybe SideLook
 sees index@(SideIndex complex _ _) name = looked <$> piecesOf scene name
   where
@@ -86,7 +86,8 @@ sees index@(SideIndex complex _ _) name = looked <$> piecesOf scene name
     looked pieces = SideLook (map factor (Map.toAscList totals)) (length faces)
       where
         faces = [(s, f) | s <- pieces, f <- facesOf index (Side s)]
-        totals = Map.map RootSum.merged (Map.fromListWith RootSum.plus [(other s f, faceMeasure complex f) | (s, f) <- faces])
+        measured = [(other s f, faceMeasure complex f) | (s, f) <- faces]
+        totals = Map.map RootSum.merged (Map.fromListWith RootSum.plus measured)
     other s f = seenAs scene (if faceBack complex f == Side s then faceFront complex f else faceBack complex f)
     factor (object, total) = formFactor scene name object total
 

@@ -2,8 +2,8 @@
 
 -- | The table that a horizon tree is kept in: one array, a record of sixteen numbers for each corner.
 --
--- All that a step touches of a corner lies together, in 64 bytes. When it replaced an array for each field, the time per
--- elementary pair on a scene of 2^14 corners fell from 2.7 to 1.6 µs.
+-- All that a step touches of a corner lies together, in 64 bytes. When it replaced an array for each field, the time
+-- per elementary pair on a scene of 2^14 corners fell from 2.7 to 1.6 µs.
 module Visibility.Sweep.HorizonTree.Table
   ( -- * Tables
     Table
