@@ -56,17 +56,18 @@ contacts o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmentF
     table = U.fromList starts
     ends = U.map (around o 1) table
     collect found i j
-      | p /= q = concatMap (meetings s t) [m | m <- [meeting r (Segment s s') (Segment t t')]] <> found
+      | p /= q = met <> found
       | p `Set.member` flat = found
-      | otherwise = filter (isOwn p) (meetings s t (meeting r (Segment s s') (Segment t t'))) <> found
+      | otherwise = filter (isOwn p) met <> found
       where
+        met = meetings s t (meeting r (Segment s s') (Segment t t'))
         s = table U.! i
         s' = ends U.! i
         t = table U.! j
         t' = ends U.! j
         p = outlineOwner o U.! s
         q = outlineOwner o U.! t
-    meetings s t met = case met of
+    meetings s t how = case how of
       Apart -> []
       Crossing -> [Cross s t]
       Touching touches -> map (touch s t) touches
