@@ -29,7 +29,7 @@ EXE := bin/viscomplex
 PACKAGES := ghc cabal-install hpack hspec-discover \
   libghc-aeson-dev libghc-diagrams-lib-dev \
   libghc-diagrams-svg-dev libghc-hspec-dev libghc-optparse-applicative-dev \
-  libghc-quickcheck2-dev libghc-svg-builder-dev libghc-temporary-dev \
+  libghc-primitive-dev libghc-quickcheck2-dev libghc-svg-builder-dev libghc-temporary-dev \
   libghc-vector-dev libghc-vector-algorithms-dev
 FIGURE_PACKAGES := librsvg2-bin
 PEER_PACKAGES := g++ libcgal-dev

@@ -10,6 +10,7 @@ module Visibility.Exact.Predicate
   ( -- * Turns of corners
     Turn (..)
   , turn
+  , machineTurn
   , opposite
     -- * Turns of headings
   , headingTurn
@@ -23,7 +24,7 @@ module Visibility.Exact.Predicate
   , reversed
   ) where
 
-import Data.Int (Int32, Int64)
+import Data.Int (Int64)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.Tally (counted)
@@ -60,31 +61,37 @@ turn points a b = headingTurn points a b a
 -- @headingTurn p a b a c == turn p a b c@.
 headingTurn :: Points -> Int -> Int -> Int -> Int -> Turn
 headingTurn points a b c d = case pointsKernel points of
-  MachineKernel xs -> machineTurn xs a b c d
-  FilterKernel xs -> filteredTurn points xs a b c d
-  IntegerKernel -> integerTurn points a b c d
-  _ -> observedTurn points a b c d
+  MachineKernel xs ->
+    let x i = fromIntegral (xs U.! (2 * i))
+        y i = fromIntegral (xs U.! (2 * i + 1))
+     in machineHeadingTurn (x b - x a) (y b - y a) (x d - x c) (y d - y c)
+  _ -> otherTurn points a b c d
 {-# INLINE headingTurn #-}
 
--- | 'headingTurn' under the kernels that are there to be measured, kept out of the code that is inlined at every call.
-observedTurn :: Points -> Int -> Int -> Int -> Int -> Turn
-observedTurn points a b c d = case pointsKernel points of
+-- | 'headingTurn' under all other kernels, kept out of the code that is inlined at every call.
+otherTurn :: Points -> Int -> Int -> Int -> Int -> Turn
+otherTurn points a b c d = case pointsKernel points of
   TallyKernel tally xs -> case certainTurn xs a b c d of
     Collinear | mayDiffer a b c d -> counted tally Nothing (integerTurn points a b c d)
     known -> counted tally (Just known) known
   DoubleKernel xs -> doubleTurn xs a b c d
   MachineKernel _ -> integerTurn points a b c d
-  FilterKernel _ -> integerTurn points a b c d
+  FilterKernel xs -> filteredTurn points xs a b c d
   IntegerKernel -> integerTurn points a b c d
-{-# NOINLINE observedTurn #-}
+{-# NOINLINE otherTurn #-}
 
--- The extent proved for 'MachineKernel' keeps every intermediate value within 64 bits.
-machineTurn :: U.Vector Int32 -> Int -> Int -> Int -> Int -> Turn
-machineTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))
-  where
-    x i = fromIntegral (xs U.! (2 * i)) :: Int64
-    y i = fromIntegral (xs U.! (2 * i + 1)) :: Int64
+-- | The turn at the second of three corners, given by the numbers of a 'MachineKernel', from the way to it from the
+-- first one to the way from the first to the third.
+--
+-- /Requires/ numbers in [0, 2^31): then every intermediate value is within 64 bits.
+machineTurn :: Int64 -> Int64 -> Int64 -> Int64 -> Int64 -> Int64 -> Turn
+machineTurn ax ay bx by cx cy = machineHeadingTurn (bx - ax) (by - ay) (cx - ax) (cy - ay)
 {-# INLINE machineTurn #-}
+
+-- The same of two displacements, below 2^31 in size.
+machineHeadingTurn :: Int64 -> Int64 -> Int64 -> Int64 -> Turn
+machineHeadingTurn x1 y1 x2 y2 = signTurn (x1 * y2 - y1 * x2)
+{-# INLINE machineHeadingTurn #-}
 
 -- Note [The filter's bound]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~

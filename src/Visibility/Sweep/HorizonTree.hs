@@ -15,16 +15,19 @@ module Visibility.Sweep.HorizonTree
   , targetOf
   , chainSteps
     -- * One step
+  , advance
   , sweepLine
     -- * For checks
   , linkable
   ) where
 
 import Control.Monad (forM_, unless, when)
-import Control.Monad.ST (ST, runST)
-import Data.List (sortBy)
-import qualified Data.Map.Strict as Map
+import Control.Monad.ST (ST)
+import Data.Int (Int32)
+import Data.Primitive.PrimArray (MutablePrimArray, readPrimArray)
+import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
@@ -74,66 +77,76 @@ targetOf scene table (CornerId p)
 chainSteps :: Scene -> Table -> Int
 chainSteps scene table = at table (counter (cornerCount scene))
 
--- | The tree at the start of the half turn.
+-- | The tree at the start of the half turn, in which the sweep can go on.
 --
 -- /Cost/ O(n log n).
-plant :: Scene -> Heading -> Vertical -> Table
-plant scene heading vertical = runST $ do
+plant :: Frame -> Heading -> Vertical -> ST s (Growing s)
+plant f heading vertical = do
   tree <- emptyTable n
+  -- Edges to a ceiling come in the order of the heading, those to a corner by slope.
   forM_ (along heading n) $ \p -> do
-    putList tree (target p) (targetFrom p)
-    putNode tree (edge p) (nodeFrom p)
-    forM_ [edgeNode p, markerNode p] $ \(Node e) -> do
-      put tree (top (Node e)) e
-      put tree (leaf (Node e)) e
-  forM_ (Map.toList incoming) $ \(l, children) -> do
-    let ascending a b = case turnIn f (listOwner l) (nodeSource f a) (nodeSource f b) of
-          LeftTurn -> LT
-          Collinear -> compare (lowerFace l a) (lowerFace l b)
-          RightTurn -> GT
-        -- Of the two faces of one piece of a wall, the upper one comes first.
-        lowerFace list node = following f (nodeSource f node) == listOwner list
-        ordered = if isCornerList l then sortBy ascending children else children
-    forM_ (zip (noNode : ordered) ordered) (uncurry (insertAfter tree l))
+    let l = targetFrom p
+        marker = markerInto p l
+    put tree (source p) (if comesBefore f p (following f p) then p else following f p)
+    putList tree (target p) l
+    unless (l == noList) $ putNode tree (edge p) (if marker == noNode then edgeNode p else marker)
+    unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
+  ends <- M.replicate (n + 1) (0 :: Int)
+  forM_ (along heading n) $ \p -> intoCorners p $ \q _ -> M.modify ends (+ 1) (q + 1)
+  forM_ [1 .. n] $ \q -> M.read ends (q - 1) >>= \k -> M.modify ends (+ k) q
+  total <- M.read ends n
+  nodes <- M.new total
+  forM_ (along heading n) $ \p -> intoCorners p $ \q (Node e) -> do
+    k <- M.read ends q
+    M.write nodes k (p, e)
+    M.write ends q (k + 1)
+  -- Now the nodes of q end at its entry, and begin at that of q − 1.
+  forM_ [0 .. n - 1] $ \q -> do
+    from <- if q == 0 then pure 0 else M.read ends (q - 1)
+    to <- M.read ends q
+    when (to - from > 1) $ Intro.sortByBounds (\(a, _) (b, _) -> ascending q a b) nodes from to
+    forM_ [from .. to - 1] $ \k -> M.read nodes k >>= append tree (cornerList q) . Node . snd
   forM_ (along heading n) (relink f tree)
-  frozen tree
+  pure tree
   where
-    f = frame scene heading
     n = frameSize f
     targetFrom p
       | t == solid = noList
-      | t == skyCode scene = skyList n
+      | t == n = skyList n
       | otherwise = cornerList t
       where
         t = firstTargets vertical U.! p
-    nodeFrom p
-      | l == noList = noNode
-      | isCornerList l, markerOf f p (listOwner l) /= noNode = markerOf f p (listOwner l)
-      | otherwise = edgeNode p
-      where
-        l = targetFrom p
-    incoming =
-      Map.fromListWith
-        (flip (<>))
-        ( [(targetFrom p, [edgeNode p]) | p <- along heading n, nodeFrom p == edgeNode p]
-            <> [(cornerList q, [markerOf f p q]) | p <- along heading n, q <- neighbours p, comesBefore f p q]
-        )
-    neighbours p
-      | following f p == preceding f p = [following f p]
-      | otherwise = [following f p, preceding f p]
+    markerInto p l = if isCornerList l then markerOf f p (listOwner l) else noNode
+    -- The nodes from p in the lists of corners, with these: its tree edge and the markers of its forward sides.
+    intoCorners p visit = do
+      let l = targetFrom p
+      when (isCornerList l && markerInto p l == noNode) $ visit (listOwner l) (edgeNode p)
+      when (comesBefore f p (following f p)) $ visit (following f p) (markerOf f p (following f p))
+      unless (following f p == preceding f p) $
+        when (comesBefore f p (preceding f p)) $
+          visit (preceding f p) (markerOf f p (preceding f p))
+    ascending q a b = case turnIn f q a b of
+      LeftTurn -> LT
+      Collinear -> compare (isLowerFace q a) (isLowerFace q b)
+      RightTurn -> GT
+    -- Of the two faces of one piece of a wall, the upper one comes first.
+    isLowerFace q s = following f s == q
+    append tree l node = getNode tree (final l) >>= \e -> insertAfter tree l e node
 
--- | Sweeps one vertex: so many pairs, the k-th of them from its source to its target in the order of the heading as
--- given, each pair being the tree edge of its source, or the next one after that along a wall's other face.
+-- | Sweeps one vertex of more than two corners: so many pairs, the k-th of them from its source to its target in the
+-- order of the heading as given, each pair being the tree edge of its source, or the next one after that along a wall's
+-- other face. The sources stand in a table, the first at the given place, each at so many places from the one before.
 --
 -- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per pair besides the chain steps, which are counted.
-sweepLine :: Frame -> Growing s -> Int -> (Int -> ST s Int) -> ST s ()
-sweepLine f tree size source = do
-  when (size > 1) $ forM_ [1 .. size - 1] separate
+sweepLine :: Frame -> Growing s -> MutablePrimArray s Int32 -> Int -> Int -> Int -> ST s ()
+sweepLine f tree table !size !begin !stride = do
+  forM_ [1 .. size - 1] separate
   advanceFrom (size - 1)
   where
+    sourceOf k = fromIntegral <$> readPrimArray table (begin + k * stride)
     -- Makes the last edge into the source of a pair the leaf of its chain, as every edge of the line must be.
     separate k = do
-      q <- source k
+      q <- sourceOf k
       isLinked <- get tree (link q)
       when (isLinked == 1) $ do
         e <- getNode tree (final (cornerList q))
@@ -145,11 +158,10 @@ sweepLine f tree size source = do
       | k < 0 = pure ()
       | otherwise = do
           when (k > 0 && k < size - 1) $ separate k
-          source k >>= advance f tree
+          sourceOf k >>= advance f tree
           advanceFrom (k - 1)
-{-# INLINE sweepLine #-}
 
--- | The tree edge of p has been swept: find the next one.
+-- | The tree edge of p, which leads to a corner, has been swept: find the next one.
 advance :: Frame -> Growing s -> Int -> ST s ()
 advance f tree !p = do
   into <- getList tree (target p)
@@ -193,80 +205,104 @@ release f tree !p !q !swept = do
 -- forward and lies above, or is the upper face of the same piece of a wall; else there is none.
 besideSolid :: Frame -> Growing s -> Int -> Int -> ST s ()
 besideSolid f tree p q =
-  when (comesBefore f p r && turnIn f p q r /= RightTurn) $ attach f tree p (cornerList r) noNode noNode noNode
+  when (comesBefore f p r && turnIn f p q r /= RightTurn) $ attach f tree p (cornerList r) noNode
   where
     !r = preceding f p
 
 -- | On the underside of a ceiling, e is the nearest vertical edge to the left of the place reached so far.
 underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 underCeiling f tree !p !l !e
-  | e /= noNode, comesBefore f p s, not (sharePlace f p s) = settle f tree p l e
-  | a < frameSize f
-  , comesBefore f p a
-  , not (sharePlace f p a) =
-      getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
-  | otherwise = settle f tree p l e
+  | e == noNode = beyondEdges
+  | otherwise = do
+      s <- getSource tree e
+      if comesBefore f p s && not (sharePlace f p s) then settle f tree p l e else beyondEdges
   where
     !a = listOwner l
-    s = nodeSource f e
+    beyondEdges
+      | a < frameSize f
+      , comesBefore f p a
+      , not (sharePlace f p a) =
+          getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
+      | otherwise = settle f tree p l e
 
 -- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the
 -- corner at which the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is
 -- searched from both of its ends by turns, so the cost is at most twice the distance to the nearer one.
 settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
-settle f tree !p = alongChains f tree p noNode noNode
-
--- | The last chain touched so far had this leaf and top.
-alongChains :: Frame -> Growing s -> Int -> Node -> Node -> List -> Node -> ST s ()
-alongChains f tree !p !deepest !highest !l !e = do
+settle f tree !p !l !e = do
   countStep f tree
   hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
-  if not hidden
-    then attach f tree p l e deepest highest
-    else do
-      deepest' <- getNode tree (leaf e)
-      t <- tangentPoint f tree p deepest' e
-      e' <- getNode tree (final (cornerList t))
-      isLinked <- get tree (link t)
-      if isLinked == 1
-        then attach f tree p (cornerList t) e' deepest' e
-        else alongChains f tree p deepest' e (cornerList t) e'
+  if hidden
+    then do
+      deepest <- getNode tree (leaf e)
+      alongChain f tree p e deepest deepest e
+    else attach f tree p l e
 
--- | Where the tangent from p touches a chain. The far end goes down from e, the near end up from the leaf; hiding is
--- monotone along the chain.
-tangentPoint :: Frame -> Growing s -> Int -> Node -> Node -> ST s Int
-tangentPoint f tree !p !near !e = do
+-- Note [Jumps]
+-- ~~~~~~~~~~~~
+-- 'alongChain' and 'touching' go on by calling each other last. Were the corner that is touched a result instead, it
+-- would be a boxed number, allocated for every chain.
+
+-- | Searches the chain with this top and leaf for the corner where the tangent from p touches it. The far end goes down
+-- from the top, the near end up from the leaf; hiding is monotone along the chain. The last two nodes are the ends
+-- reached.
+alongChain :: Frame -> Growing s -> Int -> Node -> Node -> Node -> Node -> ST s ()
+alongChain f tree !p !highest !deepest !near !e = do
   countStep f tree
-  let !t = nodeSource f e
+  !t <- getSource tree e
   isLinked <- get tree (link t)
   if isLinked == 0
-    then pure t
+    then touching f tree p highest deepest t
     else do
       e' <- getNode tree (final (cornerList t))
       far <- hides f tree p e'
       if not far
-        then pure t
+        then touching f tree p highest deepest t
         else do
           found <- if near == e' then pure True else hides f tree p near
-          let !s = nodeSource f near
+          !s <- getSource tree near
           if found
-            then pure s
+            then touching f tree p highest deepest s
             else do
               l <- getList tree (target s)
               near' <- getNode tree (edge (listOwner l))
-              tangentPoint f tree p near' e'
+              alongChain f tree p highest deepest near' e'
+
+-- | The tangent from p touches the chain with this top and leaf at t: that is p's target, unless another chain, which
+-- ends at t, hides it.
+touching :: Frame -> Growing s -> Int -> Node -> Node -> Int -> ST s ()
+touching f tree !p !highest !deepest !t = do
+  e <- getNode tree (final (cornerList t))
+  isLinked <- get tree (link t)
+  if isLinked == 1
+    then do
+      cut tree t deepest highest
+      attach f tree p (cornerList t) e
+    else do
+      countStep f tree
+      hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
+      if hidden
+        then do
+          deepest' <- getNode tree (leaf e)
+          alongChain f tree p e deepest' deepest' e
+        else attach f tree p (cornerList t) e
 
 -- | Is this node a tree edge that hides its end from p?
 hidesAsEdge :: Frame -> Growing s -> Int -> Node -> ST s Bool
-hidesAsEdge f tree p e = do
-  own <- getNode tree (edge (nodeSource f e))
-  if own == e then hides f tree p e else pure False
-{-# INLINE hidesAsEdge #-}
+hidesAsEdge f tree !p !e = do
+  s <- getSource tree e
+  own <- getNode tree (edge s)
+  if own == e then hidesFrom f tree p s else pure False
 
--- | Does this tree edge, from s to t, hide t from p? One from the place of p never does: it lies in another cone of
--- free space there.
+-- | Does this tree edge hide its end from p?
 hides :: Frame -> Growing s -> Int -> Node -> ST s Bool
-hides f tree p e
+hides f tree !p !e = getSource tree e >>= hidesFrom f tree p
+{-# INLINE hides #-}
+
+-- | Does the tree edge from s to t hide t from p? One from the place of p never does: it lies in another cone of free
+-- space there.
+hidesFrom :: Frame -> Growing s -> Int -> Int -> ST s Bool
+hidesFrom f tree !p !s
   | comesBefore f p s = do
       l <- getList tree (target s)
       pure $!
@@ -277,22 +313,16 @@ hides f tree p e
             Collinear -> not (sharePlace f p s)
           else not (sharePlace f p s)
   | otherwise = pure False
-  where
-    !s = nodeSource f e
-{-# INLINE hides #-}
+{-# INLINE hidesFrom #-}
 
 countStep :: Frame -> Growing s -> ST s ()
 countStep f tree = get tree (counter (frameSize f)) >>= put tree (counter (frameSize f)) . (+ 1)
 {-# INLINE countStep #-}
 
--- | Makes l the target of p, just after node e in it. The last two nodes are the leaf and the top of the chain that the
--- tangent from p touched, 'noNode' where there was none.
-attach :: Frame -> Growing s -> Int -> List -> Node -> Node -> Node -> ST s ()
-attach f tree !p !l !e !deepest !highest = do
+-- | Makes l the target of p, just after node e in it.
+attach :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
+attach f tree !p !l !e = do
   putList tree (target p) l
-  when (isCornerList l && deepest /= noNode) $ do
-    isLinked <- get tree (link t)
-    when (isLinked == 1) $ cut tree t deepest highest
   when (marker == noNode) $ insertAfter tree l e node
   putNode tree (top node) node
   putNode tree (leaf node) node
@@ -312,7 +342,7 @@ relink f tree !t = do
   e <- getNode tree (final (cornerList t))
   g <- getNode tree (edge t)
   unless (e == noNode || g == noNode) $ do
-    let !s = nodeSource f e
+    !s <- getSource tree e
     own <- getNode tree (edge s)
     ahead <- getList tree (target t)
     when (own == e && continues f s t ahead) $ do
@@ -340,8 +370,8 @@ linkable :: Frame -> Table -> Int -> Bool
 linkable f table t =
   e /= noNode
     && nodeAt table (edge t) /= noNode
-    && isTreeEdge f table e
-    && continues f (nodeSource f e) t (listAt table (target t))
+    && nodeAt table (edge (sourceAt table e)) == e
+    && continues f (sourceAt table e) t (listAt table (target t))
   where
     e = nodeAt table (final (cornerList t))
 

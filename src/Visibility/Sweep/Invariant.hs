@@ -51,7 +51,7 @@ treeViolations scene (heading, tree) =
     corner p =
       concat
         [ law "a corner has a node iff it has a target" (show (own, into)) ((own == noNode) == (into == noList))
-        , law "a node comes from its corner" (show own) (own == noNode || nodeSource f own == p)
+        , law "a node comes from its corner" (show own) (own == noNode || sourceAt tree own == p)
         , law "a tree edge stands in the list of its target" (show (own, into)) $
             into == noList || own `elem` members into
         , case targetOf scene tree (CornerId p) of
@@ -88,15 +88,15 @@ treeViolations scene (heading, tree) =
         inside = members l
         -- Of the two faces of one piece of a wall, the upper one comes first.
         ascending a b
-          | isCornerList l = case turn (scenePoints scene) (listOwner l) (nodeSource f a) (nodeSource f b) of
+          | isCornerList l = case turn (scenePoints scene) (listOwner l) (sourceAt tree a) (sourceAt tree b) of
               LeftTurn -> True
-              Collinear -> previous (nodeSource f a) == listOwner l && next (nodeSource f b) == listOwner l
+              Collinear -> previous (sourceAt tree a) == listOwner l && next (sourceAt tree b) == listOwner l
               RightTurn -> False
-          | otherwise = before heading (nodeSource f a) (nodeSource f b)
+          | otherwise = before heading (sourceAt tree a) (sourceAt tree b)
         belongs node
-          | isTreeEdge f tree node = listAt tree (target (nodeSource f node)) == l
+          | nodeAt tree (edge (sourceAt tree node)) == node = listAt tree (target (sourceAt tree node)) == l
           | otherwise = not (isEdgeNode node) && cornerList (laterEnd node) == l
-    laterEnd node = let i = nodeOwner node in if nodeSource f node == i then next i else i
+    laterEnd node = let i = nodeOwner node in if sourceAt tree node == i then next i else i
 
     -- The chain with its top at the tree edge of p.
     chain p
@@ -114,7 +114,7 @@ treeViolations scene (heading, tree) =
           | count > 0, at tree (link s) == 1 = descend (count - 1) (nodeAt tree (final (cornerList s)))
           | otherwise = e
           where
-            s = nodeSource f e
+            s = sourceAt tree e
 
 -- | The corner that a corner's tree edge leads to, where it leads to one.
 cornerAhead :: Scene -> Table -> Int -> Maybe Int

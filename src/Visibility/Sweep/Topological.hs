@@ -3,14 +3,17 @@
 -- | The topological sweep: every vertex of the visibility complex, once, in an order in which each corner's vertices
 -- come by increasing direction.
 --
--- A pure step from state to state. A state is an immutable value of O(n) numbers; many steps are taken at a time on a
--- copy of it, so the copying costs O(1) per vertex and 'vertices' has O(n) live memory while the list is consumed.
+-- A pure step from state to state. A state is an immutable value of O(n) numbers. 'vertices' makes the same steps in
+-- place, on one state that nobody else sees, so that each costs O(1) and live memory is O(n) while the list is consumed.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; Rafalin, Souvaine, Streinu for
 -- taking all collinear corners in one step.
 module Visibility.Sweep.Topological
   ( -- * The whole sweep
     vertices
+  , Piece
+  , pieces
+  , pieceVertices
     -- * Step by step
   , Sweep (..)
   , start
@@ -22,14 +25,14 @@ module Visibility.Sweep.Topological
 
 import Control.Monad (forM_)
 import Control.Monad.ST (ST, runST)
+import qualified Control.Monad.ST.Lazy as Lazy
 import Data.Bits (complement)
 import Data.Int (Int32)
 import qualified Data.IntSet as IntSet
 import Data.List (unfoldr)
+import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Law (broken)
-import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree
@@ -55,16 +58,7 @@ data Sweep = Sweep
 
 -- | The state just above −90°. /Cost/ O(n log n).
 start :: Scene -> Sweep
-start scene =
-  Sweep
-    { rightTree = planted Rightward
-    , leftTree = planted Leftward
-    , pending = U.generate (cornerCount scene) fromIntegral
-    , isPending = U.replicate (cornerCount scene) 1
-    , pairsSwept = 0
-    }
-  where
-    planted heading = plant scene heading (verticalSweep scene heading)
+start scene = runST (begun (prepared scene) >>= \state -> stopped state (cornerCount scene) 0)
 
 -- | All vertices of the complex, lazily. Which of the many topological orders it is depends on nothing but the scene.
 --
@@ -76,70 +70,29 @@ start scene =
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]
-vertices scene = go (start scene)
-  where
-    go state = case steps scene (pieceSize scene) state of
-      ([], _) -> []
-      (found, state') -> found <> go state'
+vertices = concatMap pieceVertices . pieces
 
--- | The state at the end of the half turn. /Cost/ that of 'vertices'.
-finish :: Scene -> Sweep
-finish scene = go (start scene)
-  where
-    go state = case steps scene (pieceSize scene) state of
-      ([], state') -> state'
-      (_, state') -> go state'
+-- | Some vertices that follow each other in the sweep: their corners one after the other, the last of each vertex as its
+-- complement. So nothing of it is traced by the garbage collector.
+newtype Piece = Piece (PrimArray Int32)
 
--- | How many vertices are swept on one copy of the state: enough for the copy to cost little beside them.
-pieceSize :: Scene -> Int
-pieceSize scene = max 64 (4 * cornerCount scene)
+-- | The vertices of a sweep in pieces of O(n) vertices each, none of them empty.
+--
+-- /Laws/ @concatMap pieceVertices . pieces == vertices@.
+pieces :: Scene -> [Piece]
+pieces scene = Lazy.runST $ do
+  state <- Lazy.strictToLazyST (begun (prepared scene))
+  let go (Progress size depth swept written)
+        | size == 0 = pure []
+        | otherwise = (Piece written :) <$> (Lazy.strictToLazyST (run state (pieceSize scene) depth swept) >>= go)
+  Lazy.strictToLazyST (run state (pieceSize scene) (cornerCount scene) 0) >>= go
 
--- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
-step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
-step scene state = case steps scene 1 state of
-  (vertex : _, state') -> Just (vertex, state')
-  ([], _) -> Nothing
-
--- | Every vertex with the state after it. /Cost/ O(n) per vertex.
-trace :: Scene -> [(Vertex, Sweep)]
-trace scene = unfoldr (fmap (\(vertex, state) -> ((vertex, state), state)) . step scene) (start scene)
-
--- | Chain steps of both trees: the work of the sweep besides O(1) per pair.
-stepsTaken :: Scene -> Sweep -> Int
-stepsTaken scene state = chainSteps scene (rightTree state) + chainSteps scene (leftTree state)
-
--- | Up to so many vertices and the state after them; none only at the end.
-steps :: Scene -> Int -> Sweep -> ([Vertex], Sweep)
-steps scene count state = (decoded found, state')
-  where
-    n = cornerCount scene
-    (found, state') = runST $ do
-      right <- thawed (rightTree state)
-      left <- thawed (leftTree state)
-      waiting <- U.thaw (isPending state)
-      stack <- U.thaw (pending state <> U.replicate (n - U.length (pending state)) 0)
-      written <- M.new (2 * count + n)
-      (size, depth, swept) <-
-        run scene (Running right left waiting stack written) count (U.length (pending state)) (pairsSwept state)
-      right' <- frozen right
-      left' <- frozen left
-      waiting' <- U.unsafeFreeze waiting
-      stack' <- U.unsafeFreeze stack
-      written' <- U.unsafeFreeze written
-      pure (U.take size written', Sweep right' left' (U.force (U.take depth stack')) waiting' swept)
-
--- | The state while it changes: both trees; which corners are pending; the pending corners; and the vertices found,
--- their corners one after the other, the last of each as its complement, so that nothing of it is traced by the garbage
--- collector.
-data Running s
-  = Running !(Growing s) !(Growing s) !(M.MVector s Int32) !(M.MVector s Int32) !(M.MVector s Int32)
-
--- | The vertices written by 'run', lazily.
-decoded :: U.Vector Int32 -> [Vertex]
-decoded written = from 0
+-- | The vertices of a piece, lazily, in their order.
+pieceVertices :: Piece -> [Vertex]
+pieceVertices (Piece written) = from 0
   where
     from i
-      | i >= U.length written = []
+      | i >= sizeofPrimArray written = []
       | next < 0 = Vertex a (CornerId (complement next)) [] : from (i + 2)
       | otherwise = let rest = others (i + 2) in Vertex a (CornerId next) rest : from (i + 2 + length rest)
       where
@@ -150,114 +103,213 @@ decoded written = from 0
       | otherwise = CornerId c : others (i + 1)
       where
         c = at' i
-    at' i = fromIntegral (written U.! i) :: Int
+    at' i = fromIntegral (indexPrimArray written i) :: Int
 
--- | Takes corners off the stack until so many vertices have been swept, or there is no room to write another. Gives the
--- size of what has been written, the depth of the stack and the number of pairs swept.
-run :: Scene -> Running s -> Int -> Int -> Int -> ST s (Int, Int, Int)
-run scene (Running right left waiting stack written) = go 0
+-- | The state at the end of the half turn. /Cost/ that of 'vertices'.
+finish :: Scene -> Sweep
+finish scene = runST $ do
+  state <- begun (prepared scene)
+  let go (Progress size depth swept _)
+        | size == 0 = stopped state depth swept
+        | otherwise = run state (pieceSize scene) depth swept >>= go
+  run state (pieceSize scene) (cornerCount scene) 0 >>= go
+
+-- | How many vertices are swept at a time.
+pieceSize :: Scene -> Int
+pieceSize scene = max 64 (cornerCount scene)
+
+-- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
+step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
+step scene state = runST $ do
+  running <- resumed (prepared scene) state
+  Progress _ depth swept written <- run running 1 (U.length (pending state)) (pairsSwept state)
+  after <- stopped running depth swept
+  pure $ case pieceVertices (Piece written) of
+    [] -> Nothing
+    vertex : _ -> Just (vertex, after)
+
+-- | Every vertex with the state after it. /Cost/ O(n) per vertex.
+trace :: Scene -> [(Vertex, Sweep)]
+trace scene = unfoldr (fmap (\(vertex, state) -> ((vertex, state), state)) . step scene) (start scene)
+
+-- | Chain steps of both trees: the work of the sweep besides O(1) per pair.
+stepsTaken :: Scene -> Sweep -> Int
+stepsTaken scene state = chainSteps scene (rightTree state) + chainSteps scene (leftTree state)
+
+-- | A scene as the steps need it.
+data Prepared = Prepared !Scene !Frame !Frame
+
+prepared :: Scene -> Prepared
+prepared scene = Prepared scene (frame scene Rightward) (frame scene Leftward)
+
+-- | The state while it changes: both trees; which corners are pending; and a stack with the pending corners.
+data Running s
+  = Running !Prepared !(Growing s) !(Growing s) !(MutablePrimArray s Int32) !(MutablePrimArray s Int32)
+
+-- | The state just above −90°, in which all corners are pending.
+begun :: Prepared -> ST s (Running s)
+begun known@(Prepared scene rightward leftward) = do
+  right <- plant rightward Rightward (verticalSweep scene Rightward)
+  left <- plant leftward Leftward (verticalSweep scene Leftward)
+  waiting <- newPrimArray n
+  setPrimArray waiting 0 n 1
+  stack <- newPrimArray n
+  forM_ [0 .. n - 1] $ \p -> writePrimArray stack p (fromIntegral p)
+  pure (Running known right left waiting stack)
   where
     n = cornerCount scene
-    rightward = frame scene Rightward
-    leftward = frame scene Leftward
-    room = M.length written - n
 
+-- | A changeable copy of a state.
+resumed :: Prepared -> Sweep -> ST s (Running s)
+resumed known@(Prepared scene _ _) state = do
+  right <- thawed (rightTree state)
+  left <- thawed (leftTree state)
+  waiting <- copied (isPending state)
+  stack <- copied (pending state)
+  pure (Running known right left waiting stack)
+  where
+    copied numbers = do
+      copy <- newPrimArray (cornerCount scene)
+      forM_ [0 .. U.length numbers - 1] $ \i -> writePrimArray copy i (numbers U.! i)
+      pure copy
+
+-- | The state as it is now, with the depth of its stack and the number of pairs swept. /Requires/ no change after it.
+stopped :: Running s -> Int -> Int -> ST s Sweep
+stopped (Running _ right left waiting stack) depth swept = do
+  right' <- frozen right
+  left' <- frozen left
+  waiting' <- unsafeFreezePrimArray waiting
+  stack' <- unsafeFreezePrimArray stack
+  let numbers count array = U.generate count (indexPrimArray array)
+  pure (Sweep right' left' (numbers depth stack') (numbers (sizeofPrimArray waiting') waiting') swept)
+
+-- | What has been done: the numbers written, the depth of the stack, the pairs swept since the start; and the vertices.
+data Progress = Progress !Int !Int !Int !(PrimArray Int32)
+
+-- | Which of the two next pairs of a pending corner is looked at.
+data Look = RightFirst | ThenLeft
+
+-- | Takes corners off the stack until so many vertices have been swept; none only at the end.
+run :: Running s -> Int -> Int -> Int -> ST s Progress
+run (Running (Prepared scene rightward leftward) right left waiting stack) !most !deep !before' = do
+  written <- newPrimArray room
+  let
     go !size !count !depth !swept
-      | count <= 0 || depth <= 0 || size > room = pure (size, depth, swept)
+      | count <= 0 || depth <= 0 || size > room - n = pure (Progress size depth swept emptyPrimArray)
       | swept > n * (n - 1) `div` 2 = broken "each elementary pair is swept once" (show swept)
       | otherwise = do
-          top' <- M.read stack (depth - 1)
+          top' <- readPrimArray stack (depth - 1)
           let !p = fromIntegral top'
-          M.write waiting p 0
-          found <- readyAt scene right left p
-          case found of
-            NotReady -> go size count (depth - 1) swept
-            Ready leftmost k -> do
-              write size leftmost k
-              let line i = M.read written i >>= \c -> pure $! fromIntegral c
-              sweepLine rightward right (k - 1) (\i -> line (size + i))
-              sweepLine leftward left (k - 1) (\i -> line (size + k - 1 - i))
-              finished size k (k - 1)
-            ReadyTracks line -> do
-              let k = length line
-                  pairs = maybe [] (vertexPairs scene) (fromCorners (map CornerId line))
-                  m = length pairs
-                  sources = U.fromList [c | (CornerId c, _) <- pairs]
-                  targets = U.fromList [c | (_, CornerId c) <- pairs]
-              forM_ (zip [size ..] line) $ \(i, c) -> M.write written i (fromIntegral c)
-              sweepLine rightward right m (\i -> pure $! sources U.! i)
-              sweepLine leftward left m (\i -> pure $! targets U.! (m - 1 - i))
-              finished size k m
-      where
-        -- A vertex of k corners and m pairs has been swept and written at this place.
-        finished here k m = do
-          depth' <- push (depth - 1) here (here + k)
-          M.modify written complement (here + k - 1)
-          go (here + k) (count - 1) depth' (swept + m)
+          writePrimArray waiting p 0
+          l <- getList right (target p)
+          if isCornerList l
+            then look RightFirst size count (depth - 1) swept p p (listOwner l)
+            else lookLeft size count (depth - 1) swept p
 
-    write !i !c !k
+    lookLeft !size !count !depth !swept !p = do
+      l <- getList left (target p)
+      if isCornerList l
+        then look ThenLeft size count depth swept p (listOwner l) p
+        else go size count depth swept
+
+    -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is the
+    -- next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
+    look which !size !count !depth !swept !p !a !b
+      | hasSplitEnds scene = readyTracks scene right left a b >>= maybe failed tracks
+      | otherwise = do
+          there <- getList right (target a)
+          back <- getList left (target b)
+          if there /= cornerList b || back /= cornerList a
+            then failed
+            else do
+              ahead <- getList right (target b)
+              case continuing rightward a b ahead of
+                RightTurn -> failed
+                onRight -> do
+                  behind <- getList left (target a)
+                  case continuing leftward b a behind of
+                    RightTurn -> failed
+                    LeftTurn | LeftTurn <- onRight -> pair
+                    _ -> beyond leftward left right b a >>= onLine
+      where
+        failed = case which of
+          RightFirst -> lookLeft size count depth swept p
+          ThenLeft -> go size count depth swept
+        pair = do
+          writePrimArray written size (fromIntegral a)
+          writePrimArray written (size + 1) (fromIntegral (complement b))
+          advance rightward right a
+          advance leftward left b
+          depth' <- push depth a >>= \d -> push d b
+          go (size + 2) (count - 1) depth' (swept + 1)
+        -- More than two corners, the first of them at the given one.
+        onLine Wait = failed
+        onLine (Further leftmost _) = do
+          found <- beyond rightward right left leftmost leftmost
+          case found of
+            Wait -> failed
+            Further _ more -> do
+              let k = more + 1
+              follow size leftmost k
+              sweepLine rightward right written (k - 1) size 1
+              sweepLine leftward left written (k - 1) (size + k - 1) (-1)
+              finished k (k - 1)
+        tracks line = do
+          let k = length line
+              pairs = maybe [] (vertexPairs scene) (fromCorners (map CornerId line))
+              m = length pairs
+          forM_ (zip [size ..] line) $ \(i, c) -> writePrimArray written i (fromIntegral c)
+          sources <- newPrimArray m
+          targets <- newPrimArray m
+          forM_ (zip [0 ..] pairs) $ \(i, (CornerId c, CornerId d)) -> do
+            writePrimArray sources i (fromIntegral c)
+            writePrimArray targets i (fromIntegral d)
+          sweepLine rightward right sources m 0 1
+          sweepLine leftward left targets m (m - 1) (-1)
+          finished k m
+        -- A vertex of k corners and m pairs has been swept and written.
+        finished k m = do
+          depth' <- pushAll depth size (size + k)
+          lastCorner <- readPrimArray written (size + k - 1)
+          writePrimArray written (size + k - 1) (complement lastCorner)
+          go (size + k) (count - 1) depth' (swept + m)
+
+    follow !i !c !k
       | k <= 0 = pure ()
       | otherwise = do
-          M.write written i (fromIntegral c)
+          writePrimArray written i (fromIntegral c)
           l <- getList right (target c)
-          write (i + 1) (listOwner l) (k - 1 :: Int)
+          follow (i + 1) (listOwner l) (k - 1 :: Int)
 
-    push !depth !i !end
+    pushAll !depth !i !end
       | i >= end = pure depth
       | otherwise = do
-          p <- M.read written i
-          already <- M.read waiting (fromIntegral p)
-          if already == 1
-            then push depth (i + 1) end
-            else do
-              M.write waiting (fromIntegral p) 1
-              M.write stack depth p
-              push (depth + 1) (i + 1) end
+          p <- readPrimArray written i
+          depth' <- push depth (fromIntegral p)
+          pushAll depth' (i + 1) end
 
--- | Is there a vertex to be swept at a corner?
-data Readiness
-  = NotReady
-  | -- | With this leftmost corner and so many corners, each the next one of the corner before.
-    Ready !Int !Int
-  | -- | With these corners; the line runs along both faces of a wall somewhere.
-    ReadyTracks ![Int]
-
--- | Looks at the next pair of p to the right, then at that to the left.
-readyAt :: Scene -> Growing s -> Growing s -> Int -> ST s Readiness
-readyAt scene right left !p = do
-  l <- getList right (target p)
-  onRight <- if isCorner l then readyLine scene right left p (listOwner l) else pure NotReady
-  case onRight of
-    NotReady -> do
-      l' <- getList left (target p)
-      if isCorner l' then readyLine scene right left (listOwner l') p else pure NotReady
-    _ -> pure onRight
-
-isCorner :: List -> Bool
-isCorner l = l /= noList && isCornerList l
-{-# INLINE isCorner #-}
-
--- | The line of p and q, if this is a vertex that may be swept now: each edge of the line is the next pair of both of
--- its corners, and no other unswept pair at its ends has a lesser slope.
-readyLine :: Scene -> Growing s -> Growing s -> Int -> Int -> ST s Readiness
-readyLine scene right left !p !q
-  | hasSplitEnds scene = maybe NotReady ReadyTracks <$> readyTracks scene right left p q
-  | otherwise = do
-      there <- getList right (target p)
-      back <- getList left (target q)
-      if there /= cornerList q || back /= cornerList p
-        then pure NotReady
+    push !depth !p = do
+      already <- readPrimArray waiting p
+      if already == 1
+        then pure depth
         else do
-          onRight <- beyond points right left p q
-          case onRight of
-            Wait -> pure NotReady
-            Further _ i -> do
-              onLeft <- beyond points left right q p
-              pure $ case onLeft of
-                Wait -> NotReady
-                Further leftmost j -> Ready leftmost (i + j + 2)
+          writePrimArray waiting p 1
+          writePrimArray stack depth (fromIntegral p)
+          pure (depth + 1)
+
+  Progress size depth swept _ <- go 0 most deep before'
+  shrinkMutablePrimArray written size
+  Progress size depth swept <$> unsafeFreezePrimArray written
   where
-    points = scenePoints scene
+    n = cornerCount scene
+    room = 2 * most + n
+
+-- | The turn at b from the line from a to the next pair of b in the same heading: left if there is none.
+continuing :: Frame -> Int -> Int -> List -> Turn
+continuing f !a !b !l
+  | isCornerList l = turnIn f a b (listOwner l)
+  | otherwise = LeftTurn
+{-# INLINE continuing #-}
 
 -- | All corners of the line of p and q, in order, if it is a vertex that may be swept now; where it runs along both
 -- faces of a wall, the pairs at a free end of the wall come one after the other, but are swept together.
@@ -281,7 +333,7 @@ readyTracks scene right left !p !q = fmap IntSet.toAscList <$> go [p] (IntSet.si
     neighboursOn tree other later c = do
       l <- getList tree (target c)
       let d = listOwner l
-      if not (isCorner l)
+      if not (isCornerList l)
         then pure (Just [])
         else case turn points p q d of
           Collinear -> do
@@ -305,20 +357,15 @@ data Beyond
     Further !Int !Int
 
 -- | The corners beyond b on the line from a to b, in the direction of the first tree; the second is the opposite one.
-beyond :: Points -> Growing s -> Growing s -> Int -> Int -> ST s Beyond
-beyond points ahead behind !a !b = do
-  l <- getList ahead (target b)
-  let !c = listOwner l
-  if not (isCorner l)
-    then pure (Further b 0)
-    else case turn points a b c of
-      LeftTurn -> pure (Further b 0)
-      RightTurn -> pure Wait
-      Collinear -> do
-        mutual <- getList behind (target c)
-        if mutual /= cornerList b
-          then pure Wait
-          else oneMore <$> beyond points ahead behind b c
+beyond :: Frame -> Growing s -> Growing s -> Int -> Int -> ST s Beyond
+beyond f ahead behind !a = go 0
   where
-    oneMore Wait = Wait
-    oneMore (Further d count) = Further d (count + 1)
+    go !count !b = do
+      l <- getList ahead (target b)
+      case continuing f a b l of
+        LeftTurn -> pure (Further b count)
+        RightTurn -> pure Wait
+        Collinear -> do
+          let !c = listOwner l
+          mutual <- getList behind (target c)
+          if mutual == cornerList b then go (count + 1) c else pure Wait

@@ -8,15 +8,14 @@ module Visibility.Sweep.HorizonTree.Frame
   , comesBefore
   , turnIn
   , sharePlace
-    -- * Nodes and corners
-  , nodeSource
+    -- * Nodes of sides
   , markerOf
-  , isTreeEdge
   ) where
 
 import Data.Int (Int32)
+import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
-import Visibility.Exact.Point (Points)
+import Visibility.Exact.Point (Kernel (..), Points, pointsKernel)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Table
@@ -26,20 +25,38 @@ import Visibility.Sweep.Vertical
 -- pointer instead of field by field, and the numbers beside it fit into registers.
 data Frame = RightwardFrame !Tables | LeftwardFrame !Tables
 
--- | What the steps need at hand.
+-- | What the steps need at hand. Corners are below n, so places in these tables are not checked.
 data Tables = Tables
   { tableSize :: !Int
-  , tablePoints :: !Points
-  , tableNeighbours :: !(U.Vector Int32)
-  , tablePlaces :: !(U.Vector Int32)
+  , tableCorners :: !(PrimArray Int32)
+  -- ^ Of corner i, from 4i on: x and y where machine integers decide, and the following and the preceding corner.
+  , tablePlaces :: !(PrimArray Int32)
+  , tableDecides :: !Decides
   }
+
+-- | What decides turns.
+data Decides
+  = -- | The machine integers of 'tableCorners'.
+    Machine
+  | Other !Points
 
 frame :: Scene -> Heading -> Frame
 frame scene heading = case heading of
   Rightward -> RightwardFrame tables
   Leftward -> LeftwardFrame tables
   where
-    tables = Tables (cornerCount scene) (scenePoints scene) (neighbourTable scene) (placeNumbers scene)
+    n = cornerCount scene
+    points = scenePoints scene
+    around = neighbourTable scene
+    tables = case pointsKernel points of
+      MachineKernel xs -> tabled Machine xs
+      _ -> tabled (Other points) (U.replicate (2 * n) 0)
+    tabled decides xs = Tables n (generatePrimArray (4 * n) part) (flat (placeNumbers scene)) decides
+      where
+        part i
+          | even (i `div` 2) = xs U.! (2 * (i `div` 4) + i `mod` 2)
+          | otherwise = around U.! (2 * (i `div` 4) + i `mod` 2)
+    flat v = generatePrimArray (U.length v) (v U.!)
 
 tablesOf :: Frame -> Tables
 tablesOf (RightwardFrame tables) = tables
@@ -52,36 +69,36 @@ frameSize = tableSize . tablesOf
 {-# INLINE frameSize #-}
 
 following, preceding :: Frame -> Int -> Int
-following f p = fromIntegral (tableNeighbours (tablesOf f) U.! (2 * p))
-preceding f p = fromIntegral (tableNeighbours (tablesOf f) U.! (2 * p + 1))
+following f p = ofCorner f (4 * p + 2)
+preceding f p = ofCorner f (4 * p + 3)
 {-# INLINE following #-}
 {-# INLINE preceding #-}
+
+ofCorner :: Frame -> Int -> Int
+ofCorner f i = fromIntegral (indexPrimArray (tableCorners (tablesOf f)) i)
+{-# INLINE ofCorner #-}
 
 comesBefore :: Frame -> Int -> Int -> Bool
 comesBefore (RightwardFrame _) = before Rightward
 comesBefore (LeftwardFrame _) = before Leftward
 {-# INLINE comesBefore #-}
 
+-- | 'turn' of the scene's corners.
 turnIn :: Frame -> Int -> Int -> Int -> Turn
-turnIn = turn . tablePoints . tablesOf
+turnIn f a b c = case tableDecides (tablesOf f) of
+  Machine -> machineTurn (x a) (y a) (x b) (y b) (x c) (y c)
+  Other points -> turn points a b c
+  where
+    x i = fromIntegral (ofCorner f (4 * i))
+    y i = fromIntegral (ofCorner f (4 * i + 1))
 {-# INLINE turnIn #-}
 
 -- | Are two corners in one place?
 sharePlace :: Frame -> Int -> Int -> Bool
-sharePlace f a b = places U.! a == places U.! b
+sharePlace f a b = place a == place b
   where
-    places = tablePlaces (tablesOf f)
+    place = indexPrimArray (tablePlaces (tablesOf f))
 {-# INLINE sharePlace #-}
-
--- | The corner that a node comes from.
-nodeSource :: Frame -> Node -> Int
-nodeSource f node
-  | isEdgeNode node || comesBefore f i j = i
-  | otherwise = j
-  where
-    i = nodeOwner node
-    j = following f i
-{-# INLINE nodeSource #-}
 
 -- | The marker of the side from s to t, s before t, or 'noNode' where they are not joined by a side.
 markerOf :: Frame -> Int -> Int -> Node
@@ -90,7 +107,3 @@ markerOf f s t
   | preceding f s == t = markerNode t
   | otherwise = noNode
 {-# INLINE markerOf #-}
-
--- | Is this node of a list the tree edge of its source? Markers of sides may also be mere places in the list.
-isTreeEdge :: Frame -> Table -> Node -> Bool
-isTreeEdge f table node = nodeAt table (edge (nodeSource f node)) == node

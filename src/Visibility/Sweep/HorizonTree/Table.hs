@@ -37,6 +37,7 @@ module Visibility.Sweep.HorizonTree.Table
   , upper
   , top
   , leaf
+  , source
   , counter
     -- * Reading and writing
   , at
@@ -45,17 +46,20 @@ module Visibility.Sweep.HorizonTree.Table
   , nodeAt
   , getNode
   , putNode
+  , sourceAt
+  , getSource
   , listAt
   , getList
   , putList
   , changed
   ) where
 
-import Control.Monad.ST (ST)
+import Control.Monad (forM_)
+import Control.Monad.ST (ST, runST)
 import Data.Bits (shiftL, shiftR, (.&.))
 import Data.Int (Int32)
-import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
+import Data.Primitive.ByteArray (MutableByteArray (..), newAlignedPinnedByteArray)
+import Data.Primitive.PrimArray
 
 -- Note [The record of a corner]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -66,30 +70,44 @@ import qualified Data.Vector.Unboxed.Mutable as M
 --  5  lower, upper, top, leaf   the node of its tree edge, where that is no side
 --  9  lower, upper, top, leaf   the node of the marker of the side that starts at it
 -- 13  first, last   the list of the edges that run vertically to the underside of that side
+-- 15  source        the corner at which that side starts, seen by the heading
+-- Places are not checked against the table's size: every list and node is made from a corner below n, or the sky.
 -- A list or a node is named by its place in the table. There is one more record, for the sky: its ceiling list, and
 -- the count of chain steps where a corner has its target.
 
 -- | An immutable table.
-newtype Table = Table (U.Vector Int32)
+newtype Table = Table (PrimArray Int32)
   deriving (Eq, Show)
 
 -- | A table while it is changed.
-newtype Growing s = Growing (M.MVector s Int32)
+newtype Growing s = Growing (MutablePrimArray s Int32)
 
 -- | A table for n corners: no edges, empty lists, every node its own chain.
 emptyTable :: Int -> ST s (Growing s)
-emptyTable n = Growing <$> U.thaw (U.concat (replicate n corner <> [sky]))
-  where
-    corner = U.fromList [-1, -1, 0, -1, -1, -1, -1, 0, 0, -1, -1, 0, 0, -1, -1, 0]
-    sky = U.fromList (0 : replicate 15 (-1))
+emptyTable n = do
+  table <- room (16 * (n + 1))
+  let growing = Growing table
+  setPrimArray table 0 (16 * (n + 1)) (-1)
+  forM_ [0 .. n - 1] $ \p -> do
+    put growing (link p) 0
+    forM_ [edgeNode p, markerNode p] $ \node@(Node e) -> put growing (top node) e >> put growing (leaf node) e
+  put growing (counter n) 0
+  pure growing
+
+-- | Room for so many numbers, in which records begin where lines of the cache do.
+room :: Int -> ST s (MutablePrimArray s Int32)
+room size = (\(MutableByteArray array) -> MutablePrimArray array) <$> newAlignedPinnedByteArray (4 * size) 64
 
 -- | A changeable copy. /Cost/ O(n).
 thawed :: Table -> ST s (Growing s)
-thawed (Table v) = Growing <$> U.thaw v
+thawed (Table array) = do
+  table <- room (sizeofPrimArray array)
+  copyPrimArray table 0 array 0 (sizeofPrimArray array)
+  pure (Growing table)
 
 -- | The table as it is now. /Requires/ no change after it.
 frozen :: Growing s -> ST s Table
-frozen (Growing v) = Table <$> U.unsafeFreeze v
+frozen (Growing table) = Table <$> unsafeFreezePrimArray table
 
 -- | A list of nodes, named by its place: that of the edges into a corner, or into a ceiling.
 newtype List = List Int
@@ -163,6 +181,11 @@ link p = record p + 2
 {-# INLINE edge #-}
 {-# INLINE link #-}
 
+-- | Of the side that starts at a corner, the end that comes first by the heading.
+source :: Int -> Field
+source i = record i + 15
+{-# INLINE source #-}
+
 -- | The count of chain steps, of a scene with so many corners.
 counter :: Int -> Field
 counter = record
@@ -183,8 +206,16 @@ leaf (Node e) = e + 3
 {-# INLINE top #-}
 {-# INLINE leaf #-}
 
+-- | The corner that a node comes from.
+sourceAt :: Table -> Node -> Int
+sourceAt table node = if isEdgeNode node then nodeOwner node else at table (source (nodeOwner node))
+
+getSource :: Growing s -> Node -> ST s Int
+getSource table node = if isEdgeNode node then pure (nodeOwner node) else get table (source (nodeOwner node))
+{-# INLINE getSource #-}
+
 at :: Table -> Field -> Int
-at (Table v) i = fromIntegral (v U.! i)
+at (Table array) i = fromIntegral (indexPrimArray array i)
 {-# INLINE at #-}
 
 nodeAt :: Table -> Field -> Node
@@ -194,13 +225,13 @@ listAt :: Table -> Field -> List
 listAt table = List . at table
 
 get :: Growing s -> Field -> ST s Int
-get (Growing v) i = do
-  x <- M.read v i
+get (Growing table) i = do
+  x <- readPrimArray table i
   pure $! fromIntegral x
 {-# INLINE get #-}
 
 put :: Growing s -> Field -> Int -> ST s ()
-put (Growing v) i x = M.write v i (fromIntegral x)
+put (Growing table) i x = writePrimArray table i (fromIntegral x)
 {-# INLINE put #-}
 
 getNode :: Growing s -> Field -> ST s Node
@@ -225,4 +256,7 @@ putList v i (List l) = put v i l
 
 -- | The table with one field changed. /Cost/ O(n): for tests.
 changed :: Field -> Int -> Table -> Table
-changed i x (Table v) = Table (v U.// [(i, fromIntegral x)])
+changed i x table = runST $ do
+  growing <- thawed table
+  put growing i x
+  frozen growing
