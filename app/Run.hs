@@ -3,6 +3,7 @@ module Run
   ( guarded
   , withScene
   , sweeping
+  , sweepingPieces
   , printed
   , streamed
   , written
@@ -34,7 +35,7 @@ import Visibility.Format.File (readRawSceneFile)
 import Visibility.Format.Json (sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
-import Visibility.Sweep (Vertex, verticesBy)
+import Visibility.Sweep (Piece, Vertex, pieceLength, piecesBy, verticesBy)
 
 -- | Ends the program with exit code 70 and the law's name where a law breaks.
 guarded :: IO () -> IO ()
@@ -73,7 +74,11 @@ broken exception
 
 -- | Works on the vertices of a scene while they are swept by the scheduler asked for, showing progress.
 sweeping :: Common -> Scene -> ([Vertex] -> IO a) -> IO a
-sweeping common scene = withProgress "vertices swept" (verticesBy (schedulerChoice common) scene)
+sweeping common scene = withProgress "vertices swept" (const 1) (verticesBy (schedulerChoice common) scene)
+
+-- | The same, in pieces.
+sweepingPieces :: Common -> Scene -> ([Piece] -> IO a) -> IO a
+sweepingPieces common scene = withProgress "vertices swept" pieceLength (piecesBy (schedulerChoice common) scene)
 
 -- | Writes messages to standard error, a line or more each.
 complain :: [String] -> IO ()

@@ -9,7 +9,7 @@ module Command.Query
 import Data.ByteString.Builder (stringUtf8)
 import Options
 import Progress (withProgress)
-import Run (printed, streamed, sweeping, withScene)
+import Run (printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
@@ -32,7 +32,7 @@ runInfo common = withScene common $ \scene -> do
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()
 runGraph common options = withScene common $ \scene ->
-  sweeping common scene $ \swept -> case lineOrder options of
+  sweepingPieces common scene $ \swept -> case lineOrder options of
     ByName -> printed (sortedGraphLines scene (pairSelection options) swept)
     AsSwept -> streamed (graphLines scene (pairSelection options) swept)
 
@@ -40,7 +40,7 @@ runGraph common options = withScene common $ \scene ->
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
   sums <- sweeping common scene (\swept -> pure $! measures scene (events scene swept))
-  withProgress "form factors written" (formFactors scene sums) $
+  withProgress "form factors written" (const 1) (formFactors scene sums) $
     printed . factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene
 
 -- | The whole complex.

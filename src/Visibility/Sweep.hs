@@ -26,8 +26,16 @@ module Visibility.Sweep
     -- * Either sweep
   , Scheduler (..)
   , verticesBy
+  , piecesBy
+    -- * Many vertices in one array
+  , Piece
+  , pieceOf
+  , pieceLength
+  , pieceVertices
+  , pieceNeighbours
     -- * The topological sweep
   , vertices
+  , verticesInPieces
   , Sweep
   , start
   , step
@@ -43,6 +51,7 @@ module Visibility.Sweep
 
 import Visibility.Scene (Scene)
 import Visibility.Sweep.BruteForce
+import Visibility.Sweep.Piece
 import Visibility.Sweep.Straight
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertex
@@ -59,3 +68,8 @@ data Scheduler
 verticesBy :: Scheduler -> Scene -> [Vertex]
 verticesBy Topological = vertices
 verticesBy Straight = straightVertices
+
+-- | The same vertices in the same order, in pieces of many vertices each.
+piecesBy :: Scheduler -> Scene -> [Piece]
+piecesBy Topological = verticesInPieces
+piecesBy Straight = inPieces . straightVertices

@@ -10,14 +10,15 @@ module Visibility.Format.Graph
   , sortedGraphLines
   ) where
 
-import Control.Monad (foldM_)
+import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.ByteString.Builder (Builder, byteString)
-import Data.ByteString.Internal (ByteString, unsafeCreate)
+import Data.ByteString.Internal (ByteString, unsafeCreateUptoN)
 import Data.Char (ord)
+import Data.Primitive.PrimArray
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word8)
-import Foreign.Ptr (plusPtr)
+import Foreign.Ptr (minusPtr, plusPtr)
 import Foreign.Storable (poke)
 import Visibility.Scene
 import Visibility.Sweep
@@ -40,61 +41,60 @@ selectedPairs scene selection = concatMap (concatMap (statedPairs scene) . chose
       AllPairs -> vertexPairs scene
       FreeBitangents -> freeBitangents scene
 
--- | A line per selected pair, in the order of the stream.
+-- | A line per selected pair, in the order of the pieces.
 --
--- /Cost/ O(1) per pair, in constant memory besides a table of names.
-graphLines :: Scene -> PairSelection -> [Vertex] -> Builder
-graphLines scene selection = go
+-- /Cost/ O(1) per pair, in memory for one piece besides a table of names.
+graphLines :: Scene -> PairSelection -> [Piece] -> Builder
+graphLines scene selection = foldMap (byteString . linesOf names . keys)
   where
     names = namesOf scene
     keys = pairKeys scene names selection
-    go found = case splitAt chunkSize found of
-      ([], _) -> mempty
-      (now, later) -> byteString (linesOf names (concatMap keys now)) <> go later
 
 -- | The same lines, sorted by the names of both corners: polygon number, then corner number, the enclosure last.
 --
 -- /Cost/ O(m log m) time, O(m) memory.
-sortedGraphLines :: Scene -> PairSelection -> [Vertex] -> Builder
-sortedGraphLines scene selection found = go (U.toList sorted)
+sortedGraphLines :: Scene -> PairSelection -> [Piece] -> Builder
+sortedGraphLines scene selection found = go sorted
   where
     names = namesOf scene
-    sorted = U.modify Intro.sort (U.fromList (concatMap (pairKeys scene names selection) found))
-    go ks = case splitAt chunkSize ks of
-      ([], _) -> mempty
-      (now, later) -> byteString (linesOf names now) <> go later
+    sorted = U.modify Intro.sort (U.concat (map (pairKeys scene names selection) found))
+    go ks
+      | U.null ks = mempty
+      | otherwise = let (now, later) = U.splitAt 4096 ks in byteString (linesOf names now) <> go later
 
--- | So many vertices or pairs are written at a time.
-chunkSize :: Int
-chunkSize = 4096
-
--- | A number for each selected pair of a vertex that sorts as its line does: (rank of the first name) · n + rank of the
--- second.
-pairKeys :: Scene -> Names -> PairSelection -> Vertex -> [Int]
+-- | A number for each selected pair of a piece that sorts as its line does: the rank of the first name, and that of the
+-- second in the lower half.
+pairKeys :: Scene -> Names -> PairSelection -> Piece -> U.Vector Int
 pairKeys scene names selection = case selection of
-  AllPairs | not (hasSharedPlaces scene) -> map direct . vertexPairs scene
-  _ -> map (\(a, b) -> rankOf names a * n + rankOf names b) . selectedPairs scene selection . pure
+  AllPairs | not (hasSharedPlaces scene) -> pieceNeighbours direct
+  _ -> U.fromList . map named . selectedPairs scene selection . pieceVertices
   where
-    n = nameTotal names
+    named (a, b) = keyOf (rankOf names a) (rankOf names b)
     -- Where no places are shared, each corner has one name.
-    direct (CornerId p, CornerId q) = let a = ranks U.! p; b = ranks U.! q in min a b * n + max a b
-    ranks = U.fromList [rankOf names (cornerName scene c) | c <- corners scene]
+    direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in keyOf (min a b) (max a b)
+    ranks = U.fromListN (cornerCount scene) [rankOf names (cornerName scene c) | c <- corners scene]
 
--- | The texts of all corners of the file, in order, one after the other, and where each begins and the last ends; and
--- by polygon, the enclosure last, the rank of its corner 0.
+-- | Two ranks in one number, and back.
+keyOf :: Int -> Int -> Int
+keyOf a b = a `shiftL` 32 .|. b
+{-# INLINE keyOf #-}
+
+ranksOf :: Int -> (Int, Int)
+ranksOf k = (k `shiftR` 32, k .&. 0xFFFFFFFF)
+{-# INLINE ranksOf #-}
+
+-- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins and
+-- the last ends; and by polygon, the enclosure last, the rank of its corner 0.
 data Names = Names
-  { nameBytes :: !(U.Vector Word8)
+  { nameBytes :: !(PrimArray Word8)
   , nameStarts :: !(U.Vector Int)
   , firstRanks :: !(U.Vector Int)
   }
 
-nameTotal :: Names -> Int
-nameTotal names = U.length (nameStarts names) - 1
-
 namesOf :: Scene -> Names
 namesOf scene =
   Names
-    { nameBytes = U.fromList (map (fromIntegral . ord) (concat texts))
+    { nameBytes = primArrayFromList (map (fromIntegral . ord) (concat texts <> replicate slack ' '))
     , nameStarts = U.fromList (scanl (+) 0 (map length texts))
     , firstRanks = U.fromList (scanl (+) 0 (map (length . polygonPoints) (scenePolygons scene)))
     }
@@ -109,22 +109,26 @@ rankOf names (CornerName polygon k) = k + firstRanks names U.! place
       Obstacle p -> p
       Enclosure -> U.length (firstRanks names) - 2
 
+-- | Names are copied in words of so many bytes, so that up to one byte less is read and written behind them.
+slack :: Int
+slack = 8
+
 -- | A line for each key: the two names, a space between them.
-linesOf :: Names -> [Int] -> ByteString
-linesOf names ks = unsafeCreate (sum (map size ks)) (\begin -> foldM_ line begin ks)
+linesOf :: Names -> U.Vector Int -> ByteString
+linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> U.foldM' line begin ks)
   where
-    n = nameTotal names
-    from k = nameStarts names U.! k
+    total = U.foldl' (\sum' k -> let (a, b) = ranksOf k in sum' + long a + long b + 2) 0 ks
+    from = U.unsafeIndex (nameStarts names)
     long k = from (k + 1) - from k
-    size k = let (a, b) = k `quotRem` n in long a + long b + 2
     line !place k = do
-      let (a, b) = k `quotRem` n
+      let (a, b) = ranksOf k
       place' <- name place a
-      poke place' 32
+      poke place' (32 :: Word8)
       place'' <- name (place' `plusPtr` 1) b
-      poke place'' 10
+      poke place'' (10 :: Word8)
       pure (place'' `plusPtr` 1)
     name place k = copied place (from k) (from (k + 1))
     copied !place !i !end
-      | i >= end = pure place
-      | otherwise = poke place (nameBytes names U.! i) >> copied (place `plusPtr` 1) (i + 1) end
+      | i + slack >= end = word place i >> pure (place `plusPtr` (end - i))
+      | otherwise = word place i >> copied (place `plusPtr` slack) (i + slack) end
+    word place i = copyPrimArrayToPtr place (nameBytes names) i slack

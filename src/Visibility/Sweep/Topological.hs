@@ -11,9 +11,7 @@
 module Visibility.Sweep.Topological
   ( -- * The whole sweep
     vertices
-  , Piece
-  , pieces
-  , pieceVertices
+  , verticesInPieces
     -- * Step by step
   , Sweep (..)
   , start
@@ -26,7 +24,6 @@ module Visibility.Sweep.Topological
 import Control.Monad (forM_)
 import Control.Monad.ST (ST, runST)
 import qualified Control.Monad.ST.Lazy as Lazy
-import Data.Bits (complement)
 import Data.Int (Int32)
 import qualified Data.IntSet as IntSet
 import Data.List (unfoldr)
@@ -38,6 +35,7 @@ import Visibility.Scene
 import Visibility.Sweep.HorizonTree
 import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
+import Visibility.Sweep.Piece
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical
 
@@ -70,40 +68,18 @@ start scene = runST (begun (prepared scene) >>= \state -> stopped state (cornerC
 --
 -- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
 vertices :: Scene -> [Vertex]
-vertices = concatMap pieceVertices . pieces
+vertices = concatMap pieceVertices . verticesInPieces
 
--- | Some vertices that follow each other in the sweep: their corners one after the other, the last of each vertex as its
--- complement. So nothing of it is traced by the garbage collector.
-newtype Piece = Piece (PrimArray Int32)
-
--- | The vertices of a sweep in pieces of O(n) vertices each, none of them empty.
+-- | The vertices of a sweep in pieces of many vertices each, none of them empty. /Cost/ that of 'vertices'.
 --
--- /Laws/ @concatMap pieceVertices . pieces == vertices@.
-pieces :: Scene -> [Piece]
-pieces scene = Lazy.runST $ do
+-- /Laws/ @concatMap pieceVertices (verticesInPieces s) == vertices s@.
+verticesInPieces :: Scene -> [Piece]
+verticesInPieces scene = Lazy.runST $ do
   state <- Lazy.strictToLazyST (begun (prepared scene))
-  let go (Progress size depth swept written)
+  let go (Progress size depth swept piece)
         | size == 0 = pure []
-        | otherwise = (Piece written :) <$> (Lazy.strictToLazyST (run state (pieceSize scene) depth swept) >>= go)
-  Lazy.strictToLazyST (run state (pieceSize scene) (cornerCount scene) 0) >>= go
-
--- | The vertices of a piece, lazily, in their order.
-pieceVertices :: Piece -> [Vertex]
-pieceVertices (Piece written) = from 0
-  where
-    from i
-      | i >= sizeofPrimArray written = []
-      | next < 0 = Vertex a (CornerId (complement next)) [] : from (i + 2)
-      | otherwise = let rest = others (i + 2) in Vertex a (CornerId next) rest : from (i + 2 + length rest)
-      where
-        a = CornerId (at' i)
-        next = at' (i + 1)
-    others i
-      | c < 0 = [CornerId (complement c)]
-      | otherwise = CornerId c : others (i + 1)
-      where
-        c = at' i
-    at' i = fromIntegral (indexPrimArray written i) :: Int
+        | otherwise = (piece :) <$> (Lazy.strictToLazyST (run state pieceSize depth swept) >>= go)
+  Lazy.strictToLazyST (run state pieceSize (cornerCount scene) 0) >>= go
 
 -- | The state at the end of the half turn. /Cost/ that of 'vertices'.
 finish :: Scene -> Sweep
@@ -111,20 +87,20 @@ finish scene = runST $ do
   state <- begun (prepared scene)
   let go (Progress size depth swept _)
         | size == 0 = stopped state depth swept
-        | otherwise = run state (pieceSize scene) depth swept >>= go
-  run state (pieceSize scene) (cornerCount scene) 0 >>= go
+        | otherwise = run state pieceSize depth swept >>= go
+  run state pieceSize (cornerCount scene) 0 >>= go
 
 -- | How many vertices are swept at a time.
-pieceSize :: Scene -> Int
-pieceSize scene = max 64 (cornerCount scene)
+pieceSize :: Int
+pieceSize = 4096
 
 -- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
 step scene state = runST $ do
   running <- resumed (prepared scene) state
-  Progress _ depth swept written <- run running 1 (U.length (pending state)) (pairsSwept state)
+  Progress _ depth swept piece <- run running 1 (U.length (pending state)) (pairsSwept state)
   after <- stopped running depth swept
-  pure $ case pieceVertices (Piece written) of
+  pure $ case pieceVertices piece of
     [] -> Nothing
     vertex : _ -> Just (vertex, after)
 
@@ -184,7 +160,7 @@ stopped (Running _ right left waiting stack) depth swept = do
   pure (Sweep right' left' (numbers depth stack') (numbers (sizeofPrimArray waiting') waiting') swept)
 
 -- | What has been done: the numbers written, the depth of the stack, the pairs swept since the start; and the vertices.
-data Progress = Progress !Int !Int !Int !(PrimArray Int32)
+data Progress = Progress !Int !Int !Int !Piece
 
 -- | Which of the two next pairs of a pending corner is looked at.
 data Look = RightFirst | ThenLeft
@@ -195,7 +171,7 @@ run (Running (Prepared scene rightward leftward) right left waiting stack) !most
   written <- newPrimArray room
   let
     go !size !count !depth !swept
-      | count <= 0 || depth <= 0 || size > room - n = pure (Progress size depth swept emptyPrimArray)
+      | count <= 0 || depth <= 0 || size > room - n = pure (Progress size depth swept (pieceOf []))
       | swept > n * (n - 1) `div` 2 = broken "each elementary pair is swept once" (show swept)
       | otherwise = do
           top' <- readPrimArray stack (depth - 1)
@@ -237,7 +213,7 @@ run (Running (Prepared scene rightward leftward) right left waiting stack) !most
           ThenLeft -> go size count depth swept
         pair = do
           writePrimArray written size (fromIntegral a)
-          writePrimArray written (size + 1) (fromIntegral (complement b))
+          writePrimArray written (size + 1) (closing b)
           advance rightward right a
           advance leftward left b
           depth' <- push depth a >>= \d -> push d b
@@ -271,7 +247,7 @@ run (Running (Prepared scene rightward leftward) right left waiting stack) !most
         finished k m = do
           depth' <- pushAll depth size (size + k)
           lastCorner <- readPrimArray written (size + k - 1)
-          writePrimArray written (size + k - 1) (complement lastCorner)
+          writePrimArray written (size + k - 1) (closing (fromIntegral lastCorner))
           go (size + k) (count - 1) depth' (swept + m)
 
     follow !i !c !k
@@ -299,7 +275,7 @@ run (Running (Prepared scene rightward leftward) right left waiting stack) !most
 
   Progress size depth swept _ <- go 0 most deep before'
   shrinkMutablePrimArray written size
-  Progress size depth swept <$> unsafeFreezePrimArray written
+  Progress size depth swept . Piece <$> unsafeFreezePrimArray written
   where
     n = cornerCount scene
     room = 2 * most + n

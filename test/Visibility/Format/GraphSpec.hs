@@ -27,7 +27,7 @@ spec = do
                 , b <- namesAt scene q
                 ]
             line (a, b) = cornerText a <> " " <> cornerText b
-         in textLines (sortedGraphLines scene AllPairs found) === map line (Set.toAscList named)
+         in textLines (sortedGraphLines scene AllPairs [pieceOf found]) === map line (Set.toAscList named)
   describe "graphLines" $
     it "has a line for each selected pair, in the order of the stream, and the same lines as when sorted" $
       property $ \(AnyScene s) ->
@@ -36,9 +36,9 @@ spec = do
               found = vertices scene
               line (a, b) = cornerText a <> " " <> cornerText b
            in conjoin
-                [ textLines (graphLines scene selection found) === map line (selectedPairs scene selection found)
-                , sort (textLines (graphLines scene selection found))
-                    === sort (textLines (sortedGraphLines scene selection found))
+                [ textLines (graphLines scene selection (verticesInPieces scene)) === map line (selectedPairs scene selection found)
+                , sort (textLines (graphLines scene selection (verticesInPieces scene)))
+                    === sort (textLines (sortedGraphLines scene selection (verticesInPieces scene)))
                 ]
   describe "selectedPairs" $ do
     it "keeps, of free bitangents, the pairs that are tangent at both corners and no sides" $
