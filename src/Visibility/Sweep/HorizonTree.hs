@@ -10,13 +10,15 @@
 -- target and the treatment of collinear corners are this project's.
 module Visibility.Sweep.HorizonTree
   ( -- * The tree
-    plant
-  , Target (..)
+    Target (..)
   , targetOf
   , chainSteps
     -- * One step
   , advance
   , sweepLine
+    -- * To plant it
+  , relink
+  , insertAfter
     -- * For checks
   , linkable
   ) where
@@ -25,15 +27,11 @@ import Control.Monad (forM_, unless, when)
 import Control.Monad.ST (ST)
 import Data.Int (Int32)
 import Data.Primitive.PrimArray (MutablePrimArray, readPrimArray)
-import qualified Data.Vector.Algorithms.Intro as Intro
-import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
-import Visibility.Sweep.Vertical
 
 -- Note [Lists]
 -- ~~~~~~~~~~~~
@@ -76,62 +74,6 @@ targetOf scene table (CornerId p)
 -- | How many edges of convex chains have been looked at since the start.
 chainSteps :: Scene -> Table -> Int
 chainSteps scene table = at table (counter (cornerCount scene))
-
--- | The tree at the start of the half turn, in which the sweep can go on.
---
--- /Cost/ O(n log n).
-plant :: Frame -> Heading -> Vertical -> ST s (Growing s)
-plant f heading vertical = do
-  tree <- emptyTable n
-  -- Edges to a ceiling come in the order of the heading, those to a corner by slope.
-  forM_ (along heading n) $ \p -> do
-    let l = targetFrom p
-        marker = markerInto p l
-    put tree (source p) (if comesBefore f p (following f p) then p else following f p)
-    putList tree (target p) l
-    unless (l == noList) $ putNode tree (edge p) (if marker == noNode then edgeNode p else marker)
-    unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  ends <- M.replicate (n + 1) (0 :: Int)
-  forM_ (along heading n) $ \p -> intoCorners p $ \q _ -> M.modify ends (+ 1) (q + 1)
-  forM_ [1 .. n] $ \q -> M.read ends (q - 1) >>= \k -> M.modify ends (+ k) q
-  total <- M.read ends n
-  nodes <- M.new total
-  forM_ (along heading n) $ \p -> intoCorners p $ \q (Node e) -> do
-    k <- M.read ends q
-    M.write nodes k (p, e)
-    M.write ends q (k + 1)
-  -- Now the nodes of q end at its entry, and begin at that of q − 1.
-  forM_ [0 .. n - 1] $ \q -> do
-    from <- if q == 0 then pure 0 else M.read ends (q - 1)
-    to <- M.read ends q
-    when (to - from > 1) $ Intro.sortByBounds (\(a, _) (b, _) -> ascending q a b) nodes from to
-    forM_ [from .. to - 1] $ \k -> M.read nodes k >>= append tree (cornerList q) . Node . snd
-  forM_ (along heading n) (relink f tree)
-  pure tree
-  where
-    n = frameSize f
-    targetFrom p
-      | t == solid = noList
-      | t == n = skyList n
-      | otherwise = cornerList t
-      where
-        t = firstTargets vertical U.! p
-    markerInto p l = if isCornerList l then markerOf f p (listOwner l) else noNode
-    -- The nodes from p in the lists of corners, with these: its tree edge and the markers of its forward sides.
-    intoCorners p visit = do
-      let l = targetFrom p
-      when (isCornerList l && markerInto p l == noNode) $ visit (listOwner l) (edgeNode p)
-      when (comesBefore f p (following f p)) $ visit (following f p) (markerOf f p (following f p))
-      unless (following f p == preceding f p) $
-        when (comesBefore f p (preceding f p)) $
-          visit (preceding f p) (markerOf f p (preceding f p))
-    ascending q a b = case turnIn f q a b of
-      LeftTurn -> LT
-      Collinear -> compare (isLowerFace q a) (isLowerFace q b)
-      RightTurn -> GT
-    -- Of the two faces of one piece of a wall, the upper one comes first.
-    isLowerFace q s = following f s == q
-    append tree l node = getNode tree (final l) >>= \e -> insertAfter tree l e node
 
 -- | Sweeps one vertex of more than two corners: so many pairs, the k-th of them from its source to its target in the
 -- order of the heading as given, each pair being the tree edge of its source, or the next one after that along a wall's

@@ -42,11 +42,12 @@ type Changing s = Sights (M.MVector s Int32)
 startSights :: Scene -> Sights (U.Vector Int32)
 startSights scene =
   Sights
-    (U.map fromIntegral (floors (verticalSweep scene Rightward)))
-    (U.map fromIntegral (floors (verticalSweep scene Leftward)))
+    (U.map fromIntegral (floors vertical))
+    (U.map fromIntegral (ceilings vertical))
     (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in if q > p then 1 else 0))
   where
     n = cornerCount scene
+    vertical = verticalSweep scene Rightward
 
 -- | Turns the lines of a vertex's corners through it.
 turnThrough :: Scene -> Changing s -> Vertex -> ST s ()

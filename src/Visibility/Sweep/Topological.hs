@@ -34,6 +34,7 @@ import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree
 import Visibility.Sweep.HorizonTree.Frame
+import Visibility.Sweep.HorizonTree.Plant
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Piece
 import Visibility.Sweep.Vertex

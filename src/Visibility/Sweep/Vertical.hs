@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The start of the sweep: what each corner sees along the vertical, and its first target, by a plane sweep.
 --
 -- Everything is written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below,
@@ -25,14 +27,18 @@ module Visibility.Sweep.Vertical
   , slabs
   ) where
 
-import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', sortBy)
+import Control.Applicative ((<|>))
+import Control.Monad (forM_, when)
+import Control.Monad.ST (ST, runST)
+import Data.List (sortBy)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
-import qualified Data.Set.Internal as Set (link, merge)
+import qualified Data.Set.Internal as Set (Set (..), link, merge)
 import qualified Data.Vector as V
+import qualified Data.Vector.Mutable as Boxed
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Law (broken)
 import Visibility.Exact.Predicate
 import Visibility.Scene
@@ -105,31 +111,24 @@ beyondAll scene = case surroundings scene of
   OpenSky -> skyCode scene
   Room -> solid
 
--- | What the plane sweep carries from corner to corner: the sides that the vertical meets, from below upwards; and for
--- each floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor.
---
--- The set is a balanced tree in which a place is found by asking of sides whether they lie below a corner, and which is
--- cut and joined there. Its elements are never compared with each other: an order of theirs would hold at one vertical
--- only.
-data Status = Status !(Set Crossing) !(IntMap.IntMap [Int])
-
--- | What the plane sweep finds at a corner: floor, ceiling and first target.
-data Row = Row !Int !Int !Int
-
 -- | The situation at the start of the half turn, for all corners.
 --
 -- /Cost/ O(n log n) time, O(n) memory.
 --
 -- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
 verticalSweep :: Scene -> Heading -> Vertical
-verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (column targetOf)
+verticalSweep scene heading = runST $ do
+  floors' <- column
+  ceilings' <- column
+  targets <- column
+  visitPlaces scene heading (const (pure ())) $ \p floor' ceiling' target' -> do
+    M.unsafeWrite floors' p floor'
+    M.unsafeWrite ceilings' p ceiling'
+    M.unsafeWrite targets p target'
+  Vertical <$> U.unsafeFreeze floors' <*> U.unsafeFreeze ceilings' <*> U.unsafeFreeze targets
   where
-    n = cornerCount scene
-    rows = [(p, row) | (p, row, _) <- visits scene heading]
-    column part = U.replicate n solid U.// [(p, part row) | (p, row) <- rows]
-    floorOf (Row x _ _) = x
-    ceilingOf (Row _ x _) = x
-    targetOf (Row _ _ x) = x
+    column :: ST s (M.MVector s Int)
+    column = M.replicate (cornerCount scene) solid
 
 -- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k,
 -- from before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below
@@ -137,61 +136,105 @@ verticalSweep scene heading = Vertical (column floorOf) (column ceilingOf) (colu
 --
 -- /Cost/ O(n log n) time and memory: the sets share most of their nodes.
 slabs :: Scene -> V.Vector (Set Crossing)
-slabs scene = V.reverse (V.fromListN (cornerCount scene + 1) (Set.empty : [s | (_, _, s) <- visits scene Rightward]))
+slabs scene = V.create $ do
+  table <- Boxed.replicate (n + 1) Set.empty
+  visitPlaces scene Rightward (\(from, to, crossing) -> forM_ [from .. to] $ \p -> Boxed.write table p crossing) $
+    \_ _ _ _ -> pure ()
+  pure table
+  where
+    n = cornerCount scene
 
--- | Visits the places of corners against the heading and keeps the sides that cross the vertical: each corner with what
--- is found there, and the sides that cross the vertical after its place.
+-- Note [The plane sweep]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- What is carried from place to place: the sides that the vertical meets, from below upwards, in a balanced tree in
+-- which a place is found by asking of sides whether they lie below a corner, and which is cut and joined there; its
+-- elements are never compared with each other, for an order of theirs would hold at one vertical only. And for each
+-- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor: by floor the first
+-- node, by node the next. The nodes are p for the corner p, and n + p for p as the end of a floor.
+
+-- | Visits the places of corners against the heading and keeps the sides that cross the vertical. Tells for each place
+-- the first and the last corner there and the sides that cross the vertical after it; and for each corner what it meets
+-- downwards and upwards, and its first target.
 --
 -- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
 -- with p on a chain stay, so that the first target is the nearest. Of the corners in one place, at most one sees down
 -- and at most one sees up: those whose cones contain these directions.
 --
--- /Cost/ O(n log n) for the status, O(n) for the chains.
-visits :: Scene -> Heading -> [(Int, Row, Set Crossing)]
-visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (places heading (placeGroups scene))
+-- /Cost/ O(n log n) for the tree, O(n) for the chains.
+visitPlaces
+  :: Scene
+  -> Heading
+  -> ((Int, Int, Set Crossing) -> ST s ())
+  -> (Int -> Int -> Int -> Int -> ST s ())
+  -> ST s ()
+visitPlaces scene heading visited found = do
+  heads <- M.replicate (n + 1) nowhere
+  nexts <- M.replicate (2 * n) nowhere
+  let
+    visit !crossing !x
+      | x < 0 || x >= n = pure ()
+      | otherwise = do
+          let y = lastHere x
+              here = if y == x then [x] else [min x y .. max x y]
+              arriving = upwards' RightTurn [(q, p) | p <- here, q <- neighbours p, before heading q p]
+              leaving = upwards' LeftTurn [(p, q) | p <- here, q <- neighbours p, before heading p q]
+              Meeting below above crossing' = crossed leaving (map (uncurry Crossing) arriving) x crossing
+              floorSide = maybe beyond (freeAbove scene) below
+              ceilingSide = maybe beyond (freeBelow scene) above
+          chain <- if floorSide == solid then pure nowhere else M.unsafeRead heads floorSide >>= tangentChain x
+          forM_ here $ \p -> do
+            let (seesDown, seesUp) = verticals p
+                target
+                  | seesDown = if chain == nowhere then sky else cornerOf chain
+                  | otherwise = fromMaybe solid (listToMaybe [q | (p', q) <- leaving, p' == p])
+            found p (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid) target
+            when (seesDown && floorSide /= solid) $ M.unsafeWrite nexts p chain >> M.unsafeWrite heads floorSide p
+          forM_ leaving $ \(p, q) -> chainOf (Crossing p q) nowhere
+          forM_ arriving $ \(q, p) -> chainOf (Crossing q p) (n + p)
+          visited (min x y, max x y, crossing')
+          visit crossing' (onwards y)
+
+    chainOf side node = let s = freeAbove scene side in when (s /= solid) $ M.unsafeWrite heads s node
+
+    -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
+    tangentChain p a
+      | a == nowhere = pure a
+      | otherwise = do
+          b <- M.unsafeRead nexts a
+          if b /= nowhere && turnOf p (cornerOf a) (cornerOf b) == RightTurn then tangentChain p b else pure a
+  visit Set.empty (case heading of Rightward -> n - 1; Leftward -> 0)
   where
+    n = cornerCount scene
+    nowhere = -1
     sky = skyCode scene
     beyond = beyondAll scene
-    places Rightward = reverse
-    places Leftward = id
-    visit _ [] = []
-    visit status (group : rest) =
-      let (rows, status'@(Status crossing _)) = meet status [p | CornerId p <- group]
-       in crossing `seq` [(p, row, crossing) | (p, row) <- rows] <> visit status' rest
+    cornerOf node = if node < n then node else node - n
+    onwards = case heading of
+      Rightward -> subtract 1
+      Leftward -> (+ 1)
+    -- The last corner to be visited in the place of this one.
+    lastHere x
+      | y >= 0 && y < n && samePlace scene (CornerId x) (CornerId y) = lastHere y
+      | otherwise = x
+      where
+        y = onwards x
 
     next = following scene
     previous p = let CornerId q = previousCorner scene (CornerId p) in q
     turnOf = turn (scenePoints scene)
+    endsAt x (Crossing a _) = a == x || samePlace scene (CornerId a) (CornerId x)
+    isBelow x (Crossing a b) = turnOf a b x == LeftTurn
 
-    meet status [] = ([], status)
-    meet (Status crossing chains) here@(x : _)
-      | length leaving /= Set.size ending = broken "status of the plane sweep" ("at corner " <> show x)
-      | otherwise = (map row here, Status crossing' chains')
+    crossed leaving arriving x crossing = case (leaving, arriving) of
+      ([_], [side]) | Just replaced <- passing (endsAt x) (isBelow x) side crossing -> replaced
+      _
+        | length leaving /= Set.size ending -> broken "status of the plane sweep" ("at corner " <> show x)
+        | otherwise -> Meeting (Set.lookupMax below) (Set.lookupMin above) $ case arriving of
+            [] -> Set.merge below above
+            side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
       where
-        arriving = upwards' RightTurn [(q, p) | p <- here, q <- neighbours p, before heading q p]
-        leaving = upwards' LeftTurn [(p, q) | p <- here, q <- neighbours p, before heading p q]
-        (below, from) = Set.spanAntitone (\(Crossing a b) -> turnOf a b x == LeftTurn) crossing
-        (ending, above) = Set.spanAntitone (\(Crossing a _) -> samePlace scene (CornerId a) (CornerId x)) from
-        crossing' = case map (uncurry Crossing) arriving of
-          [] -> Set.merge below above
-          side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
-        floorSide = maybe beyond (freeAbove scene) (Set.lookupMax below)
-        ceilingSide = maybe beyond (freeBelow scene) (Set.lookupMin above)
-        chain = tangentChain x (IntMap.findWithDefault [] floorSide chains)
-        row p = (p, Row (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid) target)
-          where
-            (seesDown, seesUp) = verticals p
-            target
-              | seesDown = fromMaybe sky (listToMaybe chain)
-              | otherwise = fromMaybe solid (listToMaybe [q | (p', q) <- leaving, p' == p])
-        extended = foldl' (\hulls p -> IntMap.insert floorSide (p : chain) hulls) chains (filter (fst . verticals) here)
-        chains' = foldl' begin (foldl' end extended leaving) arriving
-        end hull (p, q) = IntMap.delete (freeAbove scene (Crossing p q)) hull
-        begin hull (q, p)
-          | side == solid = hull
-          | otherwise = IntMap.insert side [p] hull
-          where
-            side = freeAbove scene (Crossing q p)
+        (below, from) = Set.spanAntitone (isBelow x) crossing
+        (ending, above) = Set.spanAntitone (endsAt x) from
 
     neighbours p = if next p == previous p then [next p] else [next p, previous p]
     -- Sides at one place, from the lowest to the uppermost, seen from their ends there: the first ends of those that
@@ -199,7 +242,7 @@ visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (place
     -- leave. Of the two faces of one piece of a wall the lower one, which has free space on its right, comes first.
     upwards' _ [] = []
     upwards' _ [side] = [side]
-    upwards' wanted found = sortBy order found
+    upwards' wanted sides' = sortBy order sides'
       where
         order (a, b) (c, d) = case wanted of
           RightTurn -> rank (turnOf b a c) <> faces (a, b) (c, d)
@@ -214,7 +257,19 @@ visits scene heading = visit (Status Set.empty (IntMap.singleton sky [])) (place
       (True, False) -> (True, False)
       (False, True) -> (False, True)
       _ -> let around = turnOf p (previous p) (next p) /= LeftTurn in (around, around)
+{-# INLINE visitPlaces #-}
 
-    -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
-    tangentChain p (a : b : rest) | turnOf p a b == RightTurn = tangentChain p (b : rest)
-    tangentChain _ chain = chain
+-- | What a vertical meets at a place: the sides just below and just above it, and all sides after it.
+data Meeting = Meeting !(Maybe Crossing) !(Maybe Crossing) !(Set Crossing)
+
+-- | Puts a side in the place of the one that ends at the place, if one only does; so the tree keeps its shape.
+--
+-- /Cost/ O(log n).
+passing :: (Crossing -> Bool) -> (Crossing -> Bool) -> Crossing -> Set Crossing -> Maybe Meeting
+passing ends below side = go Nothing Nothing
+  where
+    go _ _ Set.Tip = Nothing
+    go !low !high (Set.Bin size c l r)
+      | ends c = Just (Meeting (Set.lookupMax l <|> low) (Set.lookupMin r <|> high) (Set.Bin size side l r))
+      | below c = fmap (\(Meeting b a r') -> Meeting b a (Set.Bin size c l r')) (go (Just c) high r)
+      | otherwise = fmap (\(Meeting b a l') -> Meeting b a (Set.Bin size c l' r)) (go low (Just c) l)
