@@ -7,6 +7,7 @@ module Options
   , Common (..)
   , GraphOptions (..)
   , LineOrder (..)
+  , Jobs (..)
   , FactorOptions (..)
   , ViewOptions (..)
   , From (..)
@@ -48,21 +49,19 @@ import Options.Applicative
   , short
   , showDefaultWith
   , showHelpOnEmpty
-  , str
   , strOption
   , value
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
+import Options.Common
 import Options.Reader
-import Visibility.Exact.Point (Arithmetic (..), Point (..))
+import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction)
 import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
 import Visibility.Format.Factors (Detail (..), FactorFormat (..))
-import Visibility.Format.Graph (PairSelection (..))
 import Visibility.Scene (CornerName (..), SideName (..))
 import Visibility.Scene.Family
-import Visibility.Sweep (Scheduler (..))
 
 -- | A command with its options.
 data Command
@@ -74,21 +73,6 @@ data Command
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
-
--- | What every command on a scene takes.
-data Common = Common
-  { sceneFile :: !FilePath
-  , arithmeticChoice :: !Arithmetic
-  , schedulerChoice :: !Scheduler
-  }
-
--- | Which lines of the graph, in which order.
-data GraphOptions = GraphOptions
-  { pairSelection :: !PairSelection
-  , lineOrder :: !LineOrder
-  }
-
-data LineOrder = ByName | AsSwept
 
 data FactorOptions = FactorOptions
   { factorFormat :: !FactorFormat
@@ -165,7 +149,7 @@ commands :: Parser (Either Mistake Command)
 commands =
   hsubparser
     ( command "info" (info (right (Info <$> common)) infoHelp)
-        <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
+        <> command "graph" graphCommand
         <> command "factors" (info (right (Factors <$> common <*> factorOptions)) factorsHelp)
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
         <> command "view" viewCommand
@@ -175,6 +159,8 @@ commands =
     )
   where
     right = fmap Right
+    graphCommand = info (mistakenIn "graph" graphCommand (graphing <$> common <*> graphOptions)) graphHelp
+    graphing shared options = Graph shared options <$ together shared options
     viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> common <*> viewOptions)) viewHelp
     drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
     drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
@@ -190,6 +176,7 @@ commands =
           [ ("all pairs, sorted", "viscomplex graph scenes/grid.json")
           , ("the lines that bound shadows", "viscomplex graph scenes/grid.json --bitangents")
           , ("in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
+          , ("on two processors", "viscomplex graph big.json -j2 > pairs.txt")
           ]
           ""
     factorsHelp =
@@ -252,42 +239,6 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
   where
     example (purpose, call) = indent 2 (text ("# " <> purpose)) : map (indent 2 . text) (lines call)
     ending = if null more then [] else empty : map text (lines more)
-
-common :: Parser Common
-common = Common <$> scene <*> arithmetic <*> scheduler
-  where
-    scene = argument str (metavar "SCENE" <> help sources)
-    sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
-    arithmetic =
-      option
-        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
-        ( long "arithmetic"
-            <> metavar "filtered|exact|double"
-            <> value Filtered
-            <> showDefaultWith (const "filtered")
-            <> help "How signs are decided. double is unsafe: wrong results are its purpose."
-        )
-    scheduler =
-      option
-        (oneOf [("topological", Topological), ("straight", Straight)])
-        ( long "scheduler"
-            <> metavar "topological|straight"
-            <> value Topological
-            <> showDefaultWith (const "topological")
-            <> help "The order in which vertices are swept: any legal one, or by direction. The result is the same."
-        )
-
-graphOptions :: Parser GraphOptions
-graphOptions =
-  GraphOptions
-    <$> flag
-      AllPairs
-      FreeBitangents
-      (long "bitangents" <> help "Only pairs whose line is tangent at both corners; sides of polygons left out.")
-    <*> flag
-      ByName
-      AsSwept
-      (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
 
 factorOptions :: Parser FactorOptions
 factorOptions =

@@ -6,7 +6,7 @@ module Command.Query
   , runComplex
   ) where
 
-import Data.ByteString.Builder (stringUtf8)
+import Data.ByteString.Builder (byteString, stringUtf8)
 import Options
 import Progress (withProgress)
 import Run (printed, streamed, sweeping, sweepingPieces, withScene)
@@ -16,8 +16,9 @@ import Visibility.Count (count, countingSigns)
 import Visibility.FormFactor (formFactors, measures)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (factorsDocument)
-import Visibility.Format.Graph (graphLines, sortedGraphLines)
+import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
+import Visibility.Sweep (Piece)
 import Visibility.View (events)
 
 -- | Counts, and the time it took to find them. Of the signs, those of the sweep are counted.
@@ -32,9 +33,13 @@ runInfo common = withScene common $ \scene -> do
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()
 runGraph common options = withScene common $ \scene ->
-  sweepingPieces common scene $ \swept -> case lineOrder options of
-    ByName -> printed (sortedGraphLines scene (pairSelection options) swept)
-    AsSwept -> streamed (graphLines scene (pairSelection options) swept)
+  let names = namesOf scene
+      keys = pairKeys scene names (pairSelection options)
+      each :: (Piece -> a) -> ([a] -> IO ()) -> IO ()
+      each = sweepingPieces common (graphJobs options) scene
+   in case lineOrder options of
+        ByName -> each keys (printed . sortedLines names)
+        AsSwept -> each (linesOf names . keys) (streamed . foldMap byteString)
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()

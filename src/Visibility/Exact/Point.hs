@@ -10,7 +10,7 @@ module Visibility.Exact.Point
   ( -- * Points at the border
     Point (..)
     -- * The lattice
-  , Lattice
+  , Lattice (..)
   , latticeFor
   , latticeScale
   , ontoLattice

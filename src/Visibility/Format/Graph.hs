@@ -6,8 +6,12 @@ module Visibility.Format.Graph
     PairSelection (..)
   , selectedPairs
     -- * As text
-  , graphLines
-  , sortedGraphLines
+  , Names
+  , namesOf
+  , Key
+  , pairKeys
+  , linesOf
+  , sortedLines
   ) where
 
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
@@ -41,30 +45,25 @@ selectedPairs scene selection = concatMap (concatMap (statedPairs scene) . chose
       AllPairs -> vertexPairs scene
       FreeBitangents -> freeBitangents scene
 
--- | A line per selected pair, in the order of the pieces.
---
--- /Cost/ O(1) per pair, in memory for one piece besides a table of names.
-graphLines :: Scene -> PairSelection -> [Piece] -> Builder
-graphLines scene selection = foldMap (byteString . linesOf names . keys)
-  where
-    names = namesOf scene
-    keys = pairKeys scene names selection
-
--- | The same lines, sorted by the names of both corners: polygon number, then corner number, the enclosure last.
+-- | The lines of many pairs, sorted by the names of both corners: polygon number, then corner number, the enclosure
+-- last.
 --
 -- /Cost/ O(m log m) time, O(m) memory.
-sortedGraphLines :: Scene -> PairSelection -> [Piece] -> Builder
-sortedGraphLines scene selection found = go sorted
+sortedLines :: Names -> [U.Vector Key] -> Builder
+sortedLines names found = go (U.modify Intro.sort (U.concat found))
   where
-    names = namesOf scene
-    sorted = U.modify Intro.sort (U.concat (map (pairKeys scene names selection) found))
     go ks
       | U.null ks = mempty
       | otherwise = let (now, later) = U.splitAt 4096 ks in byteString (linesOf names now) <> go later
 
--- | A number for each selected pair of a piece that sorts as its line does: the rank of the first name, and that of the
--- second in the lower half.
-pairKeys :: Scene -> Names -> PairSelection -> Piece -> U.Vector Int
+-- | A number for a pair that sorts as its line does: the rank of the first name, and that of the second in the lower
+-- half.
+type Key = Int
+
+-- | The selected pairs of a piece, in its order.
+--
+-- /Cost/ O(1) for each, besides a table for the scene.
+pairKeys :: Scene -> Names -> PairSelection -> Piece -> U.Vector Key
 pairKeys scene names selection = case selection of
   AllPairs | not (hasSharedPlaces scene) -> pieceNeighbours direct
   _ -> U.fromList . map named . selectedPairs scene selection . pieceVertices
@@ -75,11 +74,11 @@ pairKeys scene names selection = case selection of
     ranks = U.fromListN (cornerCount scene) [rankOf names (cornerName scene c) | c <- corners scene]
 
 -- | Two ranks in one number, and back.
-keyOf :: Int -> Int -> Int
+keyOf :: Int -> Int -> Key
 keyOf a b = a `shiftL` 32 .|. b
 {-# INLINE keyOf #-}
 
-ranksOf :: Int -> (Int, Int)
+ranksOf :: Key -> (Int, Int)
 ranksOf k = (k `shiftR` 32, k .&. 0xFFFFFFFF)
 {-# INLINE ranksOf #-}
 
@@ -91,6 +90,7 @@ data Names = Names
   , firstRanks :: !(U.Vector Int)
   }
 
+-- | The names of a scene. /Cost/ O(n).
 namesOf :: Scene -> Names
 namesOf scene =
   Names
@@ -114,7 +114,7 @@ slack :: Int
 slack = 8
 
 -- | A line for each key: the two names, a space between them.
-linesOf :: Names -> U.Vector Int -> ByteString
+linesOf :: Names -> U.Vector Key -> ByteString
 linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> U.foldM' line begin ks)
   where
     total = U.foldl' (\sum' k -> let (a, b) = ranksOf k in sum' + long a + long b + 2) 0 ks

@@ -2,20 +2,13 @@
 -- constructor; only "Visibility.Scene.Validate" makes one.
 module Visibility.Scene.Type
   ( -- * The scene
-    Scene
+    Scene (..)
   , Surroundings (..)
   , StatedPolygon (..)
   , assemble
-  , sceneTitle
-  , surroundings
-  , scenePoints
-  , sceneLattice
-  , sceneArithmetic
   , underArithmetic
     -- * Polygons
   , Polygon (..)
-  , scenePolygons
-  , sceneContacts
   , statedCorners
     -- * Corners
   , cornerCount
@@ -24,11 +17,8 @@ module Visibility.Scene.Type
   , cornerPoint
   , nextCorner
   , previousCorner
-  , neighbourTable
   , samePlace
-  , placeNumbers
   , placeGroups
-  , hasSharedPlaces
   , isWallEnd
   , isSplitEnd
   , hasSplitEnds

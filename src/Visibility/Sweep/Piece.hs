@@ -9,6 +9,7 @@ module Visibility.Sweep.Piece
   , pieceLength
   , pieceVertices
   , pieceNeighbours
+  , renamed
   ) where
 
 import Data.Bits (complement)
@@ -79,3 +80,9 @@ pieceNeighbours make piece@(Piece written) = U.unfoldrN (sizeofPrimArray written
         a = fromIntegral (indexPrimArray written i)
         b = fromIntegral (indexPrimArray written (i + 1))
 {-# INLINE pieceNeighbours #-}
+
+-- | The piece with each corner replaced by what a table says of it.
+renamed :: U.Vector Int32 -> Piece -> Piece
+renamed table (Piece written) = Piece (mapPrimArray (\c -> if c < 0 then complement (new (complement c)) else new c) written)
+  where
+    new c = table U.! fromIntegral c

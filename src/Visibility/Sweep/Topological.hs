@@ -12,6 +12,7 @@ module Visibility.Sweep.Topological
   ( -- * The whole sweep
     vertices
   , verticesInPieces
+  , quarterInPieces
     -- * Step by step
   , Sweep (..)
   , start
@@ -75,12 +76,25 @@ vertices = concatMap pieceVertices . verticesInPieces
 --
 -- /Laws/ @concatMap pieceVertices (verticesInPieces s) == vertices s@.
 verticesInPieces :: Scene -> [Piece]
-verticesInPieces scene = Lazy.runST $ do
+verticesInPieces = sweptInPieces HalfTurn
+
+-- | Those of the first half of the half turn: with directions up to 0°, which is one of them.
+--
+-- /Cost/ that of 'vertices' to start, then O(1) for each of these pairs and chain step.
+--
+-- /Laws/ @concatMap pieceVertices (quarterInPieces s)@ are those of @vertices s@ that do not rise, in some order of this
+-- kind.
+quarterInPieces :: Scene -> [Piece]
+quarterInPieces = sweptInPieces Quarter
+
+sweptInPieces :: Extent -> Scene -> [Piece]
+sweptInPieces extent scene = Lazy.runST $ do
   state <- Lazy.strictToLazyST (begun (prepared scene))
-  let go (Progress size depth swept piece)
+  let onwards depth swept = Lazy.strictToLazyST (run extent state pieceSize depth swept) >>= go
+      go (Progress size depth swept piece)
         | size == 0 = pure []
-        | otherwise = (piece :) <$> (Lazy.strictToLazyST (run state pieceSize depth swept) >>= go)
-  Lazy.strictToLazyST (run state pieceSize (cornerCount scene) 0) >>= go
+        | otherwise = (piece :) <$> onwards depth swept
+  onwards (cornerCount scene) 0
 
 -- | The state at the end of the half turn. /Cost/ that of 'vertices'.
 finish :: Scene -> Sweep
@@ -88,8 +102,8 @@ finish scene = runST $ do
   state <- begun (prepared scene)
   let go (Progress size depth swept _)
         | size == 0 = stopped state depth swept
-        | otherwise = run state pieceSize depth swept >>= go
-  run state pieceSize (cornerCount scene) 0 >>= go
+        | otherwise = run HalfTurn state pieceSize depth swept >>= go
+  run HalfTurn state pieceSize (cornerCount scene) 0 >>= go
 
 -- | How many vertices are swept at a time.
 pieceSize :: Int
@@ -99,7 +113,7 @@ pieceSize = 4096
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
 step scene state = runST $ do
   running <- resumed (prepared scene) state
-  Progress _ depth swept piece <- run running 1 (U.length (pending state)) (pairsSwept state)
+  Progress _ depth swept piece <- run HalfTurn running 1 (U.length (pending state)) (pairsSwept state)
   after <- stopped running depth swept
   pure $ case pieceVertices piece of
     [] -> Nothing
@@ -166,9 +180,15 @@ data Progress = Progress !Int !Int !Int !Piece
 -- | Which of the two next pairs of a pending corner is looked at.
 data Look = RightFirst | ThenLeft
 
+-- | How far is swept.
+data Extent
+  = HalfTurn
+  | -- | Up to the direction 0°.
+    Quarter
+
 -- | Takes corners off the stack until so many vertices have been swept; none only at the end.
-run :: Running s -> Int -> Int -> Int -> ST s Progress
-run (Running (Prepared scene rightward leftward) right left waiting stack) !most !deep !before' = do
+run :: Extent -> Running s -> Int -> Int -> Int -> ST s Progress
+run !extent (Running (Prepared scene rightward leftward) right left waiting stack) !most !deep !before' = do
   written <- newPrimArray room
   let
     go !size !count !depth !swept
@@ -192,6 +212,7 @@ run (Running (Prepared scene rightward leftward) right left waiting stack) !most
     -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is the
     -- next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
     look which !size !count !depth !swept !p !a !b
+      | Quarter <- extent, rises rightward a b = failed
       | hasSplitEnds scene = readyTracks scene right left a b >>= maybe failed tracks
       | otherwise = do
           there <- getList right (target a)

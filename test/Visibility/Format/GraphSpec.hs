@@ -1,6 +1,6 @@
 module Visibility.Format.GraphSpec (spec) where
 
-import Data.ByteString.Builder (Builder, toLazyByteString)
+import Data.ByteString.Builder (Builder, byteString, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (sort)
 import qualified Data.Set as Set
@@ -14,7 +14,7 @@ import Visibility.View (isTangent)
 
 spec :: Spec
 spec = do
-  describe "sortedGraphLines" $
+  describe "sortedLines" $
     it "names each pair once, smaller name first, sorted by names; of several names in a place, each" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
@@ -27,8 +27,8 @@ spec = do
                 , b <- namesAt scene q
                 ]
             line (a, b) = cornerText a <> " " <> cornerText b
-         in textLines (sortedGraphLines scene AllPairs [pieceOf found]) === map line (Set.toAscList named)
-  describe "graphLines" $
+         in textLines (sortedOf scene AllPairs) === map line (Set.toAscList named)
+  describe "linesOf" $
     it "has a line for each selected pair, in the order of the stream, and the same lines as when sorted" $
       property $ \(AnyScene s) ->
         forAll (elements [minBound .. maxBound]) $ \selection ->
@@ -36,9 +36,9 @@ spec = do
               found = vertices scene
               line (a, b) = cornerText a <> " " <> cornerText b
            in conjoin
-                [ textLines (graphLines scene selection (verticesInPieces scene)) === map line (selectedPairs scene selection found)
-                , sort (textLines (graphLines scene selection (verticesInPieces scene)))
-                    === sort (textLines (sortedGraphLines scene selection (verticesInPieces scene)))
+                [ textLines (streamOf scene selection) === map line (selectedPairs scene selection found)
+                , sort (textLines (streamOf scene selection))
+                    === sort (textLines (sortedOf scene selection))
                 ]
   describe "selectedPairs" $ do
     it "keeps, of free bitangents, the pairs that are tangent at both corners and no sides" $
@@ -64,6 +64,15 @@ spec = do
 -- | All corners of the file in the place of one.
 namesAt :: Scene -> CornerId -> [CornerName]
 namesAt scene c = [name | (name, point) <- statedCorners scene, point == cornerPoint scene c]
+
+-- | All lines, in the order of the sweep and sorted.
+streamOf, sortedOf :: Scene -> PairSelection -> Builder
+streamOf scene selection = foldMap (byteString . linesOf names . pairKeys scene names selection) (verticesInPieces scene)
+  where
+    names = namesOf scene
+sortedOf scene selection = sortedLines names (map (pairKeys scene names selection) (verticesInPieces scene))
+  where
+    names = namesOf scene
 
 textLines :: Builder -> [String]
 textLines = lines . Lazy.unpack . toLazyByteString

@@ -7,6 +7,7 @@ module Visibility.Sweep.HorizonTree.Frame
   , preceding
   , comesBefore
   , turnIn
+  , rises
   , sharePlace
     -- * Nodes of sides
   , markerOf
@@ -15,7 +16,7 @@ module Visibility.Sweep.HorizonTree.Frame
 import Data.Int (Int32)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
-import Visibility.Exact.Point (Kernel (..), Points, pointsKernel)
+import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Table
@@ -92,6 +93,14 @@ turnIn f a b c = case tableDecides (tablesOf f) of
     x i = fromIntegral (ofCorner f (4 * i))
     y i = fromIntegral (ofCorner f (4 * i + 1))
 {-# INLINE turnIn #-}
+
+-- | Is the second corner higher than the first?
+rises :: Frame -> Int -> Int -> Bool
+rises f a b = case tableDecides (tablesOf f) of
+  Machine -> y a < y b
+  Other points -> let Vector2 _ ya = pointAt points a; Vector2 _ yb = pointAt points b in ya < yb
+  where
+    y i = ofCorner f (4 * i + 1)
 
 -- | Are two corners in one place?
 sharePlace :: Frame -> Int -> Int -> Bool

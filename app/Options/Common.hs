@@ -1,0 +1,91 @@
+-- | The options that commands on a scene share, and those of the graph.
+module Options.Common
+  ( Common (..)
+  , common
+    -- * The graph
+  , GraphOptions (..)
+  , LineOrder (..)
+  , Jobs (..)
+  , graphOptions
+  , together
+  ) where
+
+import Options.Applicative
+import Options.Reader
+import Visibility.Exact.Point (Arithmetic (..))
+import Visibility.Format.Graph (PairSelection (..))
+import Visibility.Sweep (Scheduler (..))
+
+-- | What every command on a scene takes.
+data Common = Common
+  { sceneFile :: !FilePath
+  , arithmeticChoice :: !Arithmetic
+  , schedulerChoice :: !Scheduler
+  }
+
+-- | Which lines of the graph, in which order, and how they are found.
+data GraphOptions = GraphOptions
+  { pairSelection :: !PairSelection
+  , lineOrder :: !LineOrder
+  , graphJobs :: !Jobs
+  }
+
+data LineOrder = ByName | AsSwept
+
+-- | How many processors sweep.
+data Jobs = OneProcessor | TwoProcessors
+
+common :: Parser Common
+common = Common <$> scene <*> arithmetic <*> scheduler
+  where
+    scene = argument str (metavar "SCENE" <> help sources)
+    sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
+    arithmetic =
+      option
+        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
+        ( long "arithmetic"
+            <> metavar "filtered|exact|double"
+            <> value Filtered
+            <> showDefaultWith (const "filtered")
+            <> help "How signs are decided. double is unsafe: wrong results are its purpose."
+        )
+    scheduler =
+      option
+        (oneOf [("topological", Topological), ("straight", Straight)])
+        ( long "scheduler"
+            <> metavar "topological|straight"
+            <> value Topological
+            <> showDefaultWith (const "topological")
+            <> help "The order in which vertices are swept: any legal one, or by direction. The result is the same."
+        )
+
+graphOptions :: Parser GraphOptions
+graphOptions =
+  GraphOptions
+    <$> flag
+      AllPairs
+      FreeBitangents
+      (long "bitangents" <> help "Only pairs whose line is tangent at both corners; sides of polygons left out.")
+    <*> flag
+      ByName
+      AsSwept
+      (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
+    <*> jobsOption
+
+jobsOption :: Parser Jobs
+jobsOption =
+  option
+    (oneOf [("1", OneProcessor), ("2", TwoProcessors)])
+    ( short 'j'
+        <> long "jobs"
+        <> metavar "1|2"
+        <> value OneProcessor
+        <> showDefaultWith (const "1")
+        <> help "How many processors sweep; 2 share the half turn. The same pairs, unsorted in another order."
+    )
+
+-- | Why options do not go together.
+together :: Common -> GraphOptions -> Either String ()
+together shared options = case (graphJobs options, schedulerChoice shared) of
+  (TwoProcessors, Straight) -> Left "-j2 goes with --scheduler topological: the straight sweep is one after the other"
+  _ -> Right ()

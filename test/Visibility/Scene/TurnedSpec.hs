@@ -1,0 +1,58 @@
+module Visibility.Scene.TurnedSpec (spec) where
+
+import Data.List (sort)
+import qualified Data.Vector.Unboxed as U
+import Test.Hspec
+import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Point (..), Vector2 (..))
+import Visibility.Scene
+import Visibility.Scene.Turned
+import Visibility.Sweep
+import Visibility.Test.Generator
+
+spec :: Spec
+spec =
+  describe "the scene turned by 90 degrees" $ do
+    it "has each corner at its turned place, in lexicographic order, under its names" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            (turned, olds) = quarterTurned scene
+            old (CornerId c) = CornerId (fromIntegral (olds U.! c))
+         in conjoin
+              [ sort (map old (corners turned)) === corners scene
+              , map (cornerPoint turned) (corners turned) === map (rightTurned . cornerPoint scene . old) (corners turned)
+              , map (cornerPoint turned) (corners turned) === sort (map (cornerPoint turned) (corners turned))
+              , map (cornerName turned) (corners turned) === map (cornerName scene . old) (corners turned)
+              , map (namesHere turned) (corners turned) === map (namesHere scene . old) (corners turned)
+              , map (fmap (map old) . cornersNamed turned . fst) (statedCorners turned)
+                  === map (cornersNamed scene . fst) (statedCorners scene)
+              , map snd (statedCorners turned) === map (rightTurned . snd) (statedCorners scene)
+              ]
+    it "has the same walks, sides and places" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            (turned, olds) = quarterTurned scene
+            old (CornerId c) = CornerId (fromIntegral (olds U.! c))
+            oldSide side = let CornerId c = old (sideStart side) in SideId c
+            pairs = zip (corners turned) (drop 1 (corners turned))
+         in conjoin
+              [ map (old . nextCorner turned) (corners turned) === map (nextCorner scene . old) (corners turned)
+              , map (old . previousCorner turned) (corners turned) === map (previousCorner scene . old) (corners turned)
+              , map (uncurry (samePlace turned)) pairs === [samePlace scene (old c) (old d) | (c, d) <- pairs]
+              , map (isSplitEnd turned) (corners turned) === map (isSplitEnd scene . old) (corners turned)
+              , map (sideName turned) (sides turned) === map (sideName scene . oldSide) (sides turned)
+              , map (fmap (map oldSide) . piecesOf turned) (statedSides turned)
+                  === map (piecesOf scene) (statedSides scene)
+              , map (sideSpan turned) (statedSides turned)
+                  === [Vector2 y (negate x) | Vector2 x y <- map (sideSpan scene) (statedSides scene)]
+              , map (uncovered turned) (statedSides turned) === map (uncovered scene) (statedSides scene)
+              ]
+    it "sees the same" $
+      property $ \(AnyScene s) ->
+        let scene = sampleScene s
+            (turned, olds) = quarterTurned scene
+            old (CornerId c) = CornerId (fromIntegral (olds U.! c))
+         in sort (map (sort . map old . vertexCorners) (vertices turned)) === sort (map vertexCorners (vertices scene))
+
+rightTurned :: Point -> Point
+rightTurned (Point x y) = Point y (negate x)
