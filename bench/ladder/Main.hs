@@ -6,6 +6,7 @@
 -- views: walking in the complex against asking every side. Arguments: names of families; none means all.
 module Main (main) where
 
+import Bench.Scenes
 import Control.Exception (evaluate)
 import Control.Monad (forM_, replicateM, unless, zipWithM)
 import Data.Foldable (traverse_)
@@ -23,10 +24,8 @@ import Visibility.Complex (complexOf, complexScene, faceIds)
 import Visibility.Complex.Walk (Locator, Look (..), locator, locatorComplex, lookAround)
 import Visibility.Exact.Point (Point (..))
 import Visibility.FormFactor (measureList, measures)
-import Visibility.Law (broken)
 import Visibility.Scene (Scene, cornerCount, cornerPoint, corners)
 import Visibility.Scene.Family
-import Visibility.Scene.Validate (validate)
 import Visibility.Sight (Viewpoint (..))
 import Visibility.Sweep (finish, pairsSwept, stepsTaken, straightVertices, vertices)
 import Visibility.Test.Scan (scan)
@@ -102,11 +101,6 @@ ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
       Maze -> 2
       Needles -> 3
       _ -> 4
-
-sceneOf :: Family -> Int -> Scene
-sceneOf kind n = case fmap (\k -> validate (family kind k (Seed 1))) (size n) of
-  Just (Right scene) -> scene
-  _ -> broken "a generated scene is valid" (show (kind, n))
 
 -- | Places in and around a scene, in free space or on a boundary, none of them special.
 lookouts :: Locator -> [Viewpoint]
