@@ -4,7 +4,7 @@
 --
 -- > Right scene <- readSceneFile "scenes/room.json"
 -- > let swept = vertices scene
--- >     sums = measures scene (events scene swept)
+-- >     sums = measures scene swept
 -- > mapM_ (putStrLn . decimal defaultDigits . factorValue) (formFactors scene sums)
 --
 -- Everything geometric is decided in exact arithmetic; degenerate scenes are ordinary input.

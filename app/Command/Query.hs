@@ -13,7 +13,7 @@ import Run (printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
-import Visibility.FormFactor (formFactors, measures)
+import Visibility.FormFactor (formFactors, measuresInPieces)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (factorsDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
@@ -44,7 +44,7 @@ runGraph common options = withScene common $ \scene ->
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
-  sums <- sweeping common scene (\swept -> pure $! measures scene (events scene swept))
+  sums <- sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
   withProgress "form factors written" (const 1) (formFactors scene sums) $
     printed . factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene
 

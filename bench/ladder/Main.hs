@@ -29,7 +29,6 @@ import Visibility.Scene.Family
 import Visibility.Sight (Viewpoint (..))
 import Visibility.Sweep (finish, pairsSwept, stepsTaken, straightVertices, vertices)
 import Visibility.Test.Scan (scan)
-import Visibility.View (events)
 
 main :: IO ()
 main = do
@@ -81,7 +80,7 @@ main = do
   putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
   let scenes = map (sceneOf Random) [25, 100, 400]
-  times <- bestTimes scenes (\s -> length (measureList s (measures s (events s (vertices s)))))
+  times <- bestTimes scenes (\s -> length (measureList s (measures s (vertices s))))
   forM_ (zip scenes times) $ \(scene, seconds) -> do
     let pairs = pairsSwept (finish scene)
     putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (seconds / fromIntegral pairs)])

@@ -29,7 +29,7 @@ main = do
   putStrLn "name,allocated,most live"
   mapM_ row (concatMap leaves results)
   where
-    entries scene = length (measureList scene (measures scene (events scene (vertices scene))))
+    entries scene = length (measureList scene (measures scene (vertices scene)))
     rightOf = either (const Nothing) Just
     isRight = either (const False) (const True)
     row (weight, _) =

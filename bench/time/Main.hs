@@ -73,7 +73,7 @@ parts =
       [ bench "merge, 64 terms" (nf (map (terms . merged)) longSums)
       , bench "sign, 64 terms" (nf (map ((== Zero) . sign)) longSums)
       , bench "measures, 100 quadrilaterals" $
-          whnf (\s -> length (measureList s (measures s (events s (vertices s))))) (sceneOf Random 100)
+          whnf (\s -> length (measureList s (measures s (vertices s)))) (sceneOf Random 100)
       ]
   , bgroup
       "rounding, 64 terms"

@@ -233,7 +233,7 @@ seeOnlySky names = claim "what these sides see" (map (\s -> (s, [("sky", rationa
   [(s, [(to, value) | ((from, to), value) <- Map.toList (factorsOf scene), from == s]) | s <- names]
 
 measuresOf :: Scene -> Measures
-measuresOf scene = measures scene (events scene (vertices scene))
+measuresOf scene = measures scene (vertices scene)
 
 factorsOf :: Scene -> Map.Map (String, String) RootSum
 factorsOf scene =

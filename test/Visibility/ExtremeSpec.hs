@@ -25,7 +25,6 @@ import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Metamorphic
-import Visibility.View (events)
 
 spec :: Spec
 spec = do
@@ -94,7 +93,7 @@ spec = do
       onFactor (onPoints (scaledTo huge huge) (facing (1 / 3))) 0 1 (decimal' 50)
         `shouldBe` onFactor (facing (1 / 3)) 0 1 (decimal' 50)
   where
-    measuresIn scene = measures scene (events scene (vertices scene))
+    measuresIn scene = measures scene (vertices scene)
     printed n scene = [maybe "" (`decimal` f) (digits n) | f <- Map.elems (factorsOf scene)]
 
 decimal' :: Int -> RootSum -> String

@@ -22,7 +22,6 @@ import Visibility.Scene.Raw
 import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.Test.Metamorphic
-import Visibility.View (events)
 
 spec :: Spec
 spec = do
@@ -143,7 +142,7 @@ spec = do
   where
     both f (a, b) = (f a, f b)
     inOrder (a, b) = (min a b, max a b)
-    measuresIn scene = measures scene (events scene (vertices scene))
+    measuresIn scene = measures scene (vertices scene)
     byLength scene f = case terms (sideLength scene (factorFrom f)) of
       [(c, n)] -> timesRoot c n (factorValue f)
       _ -> Nothing
@@ -199,7 +198,7 @@ agreesWithRays s =
       let Point ax ay = cornerPoint scene (sideStart piece)
           Point bx by = cornerPoint scene (sideEnd scene piece)
        in sqrt (fromRational ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))) :: Double
-    factors = formFactors scene (measures scene (events scene (vertices scene)))
+    factors = formFactors scene (measures scene (vertices scene))
 
 sampledFactors :: Scene -> SideId -> Map.Map Object Double
 sampledFactors scene side =

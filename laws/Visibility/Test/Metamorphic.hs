@@ -234,7 +234,7 @@ tableOf :: (FormFactor -> RootSum) -> Scene -> Factors
 tableOf part scene =
   Map.fromList
     [ ((factorFrom f, target (factorTo f)), part f)
-    | f <- formFactors scene (measures scene (events scene (vertices scene)))
+    | f <- formFactors scene (measures scene (vertices scene))
     ]
   where
     target (TheSide s) = Just s

@@ -13,7 +13,6 @@ import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Test.Generator
-import Visibility.View (events)
 
 -- | A kind of scenes, by name.
 data SoakFamily = SoakFamily {soakName :: String, soakScenes :: Gen Sample}
@@ -45,4 +44,4 @@ faults (Sample _ scene) =
   where
     found = vertices scene
     swept = sort found
-    sums = measures scene (events scene found)
+    sums = measures scene found

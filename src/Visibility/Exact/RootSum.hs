@@ -31,6 +31,9 @@ module Visibility.Exact.RootSum
   , sign
   , compareRootSums
   , merged
+  , PreparedRoot
+  , preparedRoot
+  , mergedSum
   , asRational
 
     -- * Enclosures
@@ -155,9 +158,9 @@ timesRoot :: Rational -> Integer -> RootSum -> Maybe RootSum
 timesRoot r n s
   | n < 0 = Nothing
   | n == 0 || r == 0 = Just zero
-  | otherwise = Just (mconcat [productOf c m (gcd m n) | (c, m) <- terms s])
+  | otherwise = Just (collected [productOf c m (gcd m n) | (c, m) <- terms s])
   where
-    productOf c m g = positiveRoot (multiplied g (c * r)) ((m `quot` g) * (n `quot` g))
+    productOf c m g = ((m `quot` g) * (n `quot` g), multiplied g (c * r))
 
 -- | @quotientByRoot s r n@ is s \/ (r √n), again a sum of roots: for a form factor, the measure by twice a side's
 -- length.
@@ -170,12 +173,17 @@ timesRoot r n s
 quotientByRoot :: RootSum -> Rational -> Integer -> Maybe RootSum
 quotientByRoot s r n
   | n <= 0 || r == 0 = Nothing
-  | otherwise = Just (mconcat [quotientOf c m (gcd m n) | (c, m) <- terms s])
+  | otherwise = Just (collected [quotientOf c m (gcd m n) | (c, m) <- terms s])
   where
     -- Rational arithmetic step by step would look for common divisors at each step; these numbers may be huge.
     quotientOf c m g =
       let n' = n `quot` g
-       in positiveRoot ((numerator c * denominator r) % (denominator c * numerator r * n')) ((m `quot` g) * n')
+       in ((m `quot` g) * n', (numerator c * denominator r) % (denominator c * numerator r * n'))
+
+-- | The sum of multiples of roots of positive integers, the radicands first.
+collected :: [(Integer, Rational)] -> RootSum
+collected [(n, c)] = positiveRoot c n
+collected found = RootSum (Map.filter (/= 0) (Map.fromListWith (+) found))
 
 -- | Where a number lies with respect to zero.
 data Sign = Negative | Zero | Positive
@@ -235,8 +243,27 @@ merged s = RootSum (Map.fromList (concatMap oneTermPerClass (IntMap.toList bucke
   where
     buckets = IntMap.fromListWith (++) [(key, [term]) | (c, n) <- terms s, let (key, term) = localised c n]
 
+-- | The root of a positive integer, ready to be summed: what 'merged' finds out about it alone.
+newtype PreparedRoot = PreparedRoot Local
+
+-- | /Requires/ a positive integer.
+preparedRoot :: Integer -> PreparedRoot
+preparedRoot = PreparedRoot . local
+
+-- | The sum of integer multiples of roots, divided by an integer, merged.
+--
+-- /Requires/ a positive divisor. /Cost/ that of 'merged' without the reductions.
+--
+-- /Laws/ terms as those of @'merged' ('fromTerms' [(c % d, n), …])@ but for the representatives of classes, which may
+-- differ where radicands cancel.
+mergedSum :: Integer -> [(Integer, PreparedRoot)] -> RootSum
+mergedSum divisor found = RootSum (Map.fromList (concatMap oneTerm (IntMap.toList buckets)))
+  where
+    buckets = IntMap.fromListWith (++) [(key, [Term m (c * k)]) | (c, PreparedRoot (Local key k m)) <- found]
+    oneTerm bucket = [(g, if divisor == 1 then fromInteger c else c % divisor) | (g, c) <- oneTermPerClass bucket]
+
 -- | The terms of one bucket, merged.
-oneTermPerClass :: (Int, [Term]) -> [(Integer, Rational)]
+oneTermPerClass :: (Eq a, Num a) => (Int, [Term a]) -> [(Integer, a)]
 oneTermPerClass (key, bucket) =
   [(g, c) | (g, members) <- foldl' enter start bucket, let c = classCoefficient g members, c /= 0]
   where
@@ -244,11 +271,11 @@ oneTermPerClass (key, bucket) =
     start = [(1, []) | key == 0]
 
 -- | c √n, the radicand first.
-data Term = Term !Integer !Rational
+data Term a = Term !Integer !a
 
-type SquareClass = (Integer, [Term])
+type SquareClass a = (Integer, [Term a])
 
-enter :: [SquareClass] -> Term -> [SquareClass]
+enter :: [SquareClass a] -> Term a -> [SquareClass a]
 enter classes term@(Term n _) = go classes
   where
     go [] = [(n, [term])]
@@ -259,20 +286,22 @@ enter classes term@(Term n _) = go classes
 -- | The greatest common divisor of two radicands if they are in one square class: the cofactors, coprime, are then
 -- both squares.
 commonRadicand :: Integer -> Integer -> Maybe Integer
+commonRadicand a b | a == b = Just a
 commonRadicand a b = do
   let g = gcd a b
   guard (isSquare (a `quot` g) && isSquare (b `quot` g))
   Just g
 
 -- | The coefficient of √g, g a common radicand of all members.
-classCoefficient :: Integer -> [Term] -> Rational
-classCoefficient g members = balancedSum [multiplied (integerSquareRoot (n `quot` g)) c | Term n c <- members]
+classCoefficient :: (Eq a, Num a) => Integer -> [Term a] -> a
+classCoefficient g members =
+  balancedSum [if n == g then c else multiplied (integerSquareRoot (n `quot` g)) c | Term n c <- members]
 
-multiplied :: Integer -> Rational -> Rational
+multiplied :: Num a => Integer -> a -> a
 multiplied k c = if k == 1 then c else fromInteger k * c
 
 -- | Adds neighbours first: unrelated denominators then cost far less than one by one.
-balancedSum :: [Rational] -> Rational
+balancedSum :: Num a => [a] -> a
 balancedSum [] = 0
 balancedSum [c] = c
 balancedSum cs = balancedSum (pairs cs)
@@ -283,10 +312,12 @@ balancedSum cs = balancedSum (pairs cs)
 -- | A term with the squares of small primes taken out of its radicand, and a key that is equal for equal square
 -- classes: the classes of the radicand in ℚₚ modulo squares, for all primes up to 47. The key is 0 for perfect
 -- squares.
-localised :: Rational -> Integer -> (Int, Term)
-localised c n = (key, Term m (multiplied s c))
+localised :: Rational -> Integer -> (Int, Term Rational)
+localised c n = let Local key s m = local n in (key, Term m (multiplied s c))
+
+local :: Integer -> Local
+local n = foldl' (oddStep (fromInteger (n `rem` oddPrimesProduct))) twoAdic oddPrimes
   where
-    Local key s m = foldl' (oddStep (fromInteger (n `rem` oddPrimesProduct))) twoAdic oddPrimes
     v = fromIntegral (integerLog2 (n .&. negate n))
     unit = fromInteger ((n `shiftR` v) .&. 7) `quot` 2
     twoAdic = Local (4 * (v `rem` 2) + unit) (1 `shiftL` (v `quot` 2)) (n `shiftR` (2 * (v `quot` 2)))

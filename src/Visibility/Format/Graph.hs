@@ -14,18 +14,16 @@ module Visibility.Format.Graph
   , sortedLines
   ) where
 
-import Control.Monad (forM_)
-import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.ByteString.Builder (Builder, byteString)
 import Data.ByteString.Internal (ByteString, unsafeCreateUptoN)
 import Data.Char (ord)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Data.Word (Word8)
 import Foreign.Ptr (minusPtr, plusPtr)
 import Foreign.Storable (poke)
 import Visibility.Scene
+import Visibility.Sorting
 import Visibility.Sweep
 import Visibility.View
 
@@ -51,16 +49,15 @@ selectedPairs scene selection = concatMap (concatMap (statedPairs scene) . chose
 --
 -- /Cost/ O(m + n) time and memory.
 sortedLines :: Names -> [U.Vector Key] -> Builder
-sortedLines names found = go (by (fst . ranksOf) (by (snd . ranksOf) (U.concat found)))
+sortedLines names found = go (sortedPairs (nameTotal names) id (U.concat found))
   where
-    by part = countingSort (nameTotal names) part
     go ks
       | U.null ks = mempty
       | otherwise = let (now, later) = U.splitAt 4096 ks in byteString (linesOf names now) <> go later
 
 -- | A number for a pair that sorts as its line does: the rank of the first name, and that of the second in the lower
 -- half.
-type Key = Int
+type Key = Pair
 
 -- | The selected pairs of a piece, in its order.
 --
@@ -70,19 +67,10 @@ pairKeys scene names selection = case selection of
   AllPairs | not (hasSharedPlaces scene) -> pieceNeighbours direct
   _ -> U.fromList . map named . selectedPairs scene selection . pieceVertices
   where
-    named (a, b) = keyOf (rankOf names a) (rankOf names b)
+    named (a, b) = pairOf (rankOf names a) (rankOf names b)
     -- Where no places are shared, each corner has one name.
-    direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in keyOf (min a b) (max a b)
+    direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in pairOf (min a b) (max a b)
     ranks = U.fromListN (cornerCount scene) [rankOf names (cornerName scene c) | c <- corners scene]
-
--- | Two ranks in one number, and back.
-keyOf :: Int -> Int -> Key
-keyOf a b = a `shiftL` 32 .|. b
-{-# INLINE keyOf #-}
-
-ranksOf :: Key -> (Int, Int)
-ranksOf k = (k `shiftR` 32, k .&. 0xFFFFFFFF)
-{-# INLINE ranksOf #-}
 
 -- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins and
 -- the last ends; and by polygon, the enclosure last, the rank of its corner 0.
@@ -91,22 +79,6 @@ data Names = Names
   , nameStarts :: !(U.Vector Int)
   , firstRanks :: !(U.Vector Int)
   }
-
--- | The keys in the order of a part of them, below the given number; keys that agree in it keep their order.
---
--- /Cost/ O(m + n) for m keys and parts below n.
-countingSort :: Int -> (Key -> Int) -> U.Vector Key -> U.Vector Key
-countingSort n part ks = U.create $ do
-  places <- M.replicate (n + 1) 0
-  U.forM_ ks $ \k -> M.unsafeModify places (+ 1) (part k + 1)
-  forM_ [1 .. n] $ \i -> M.unsafeRead places (i - 1) >>= \before' -> M.unsafeModify places (+ before') i
-  sorted <- M.new (U.length ks)
-  U.forM_ ks $ \k -> do
-    place <- M.unsafeRead places (part k)
-    M.unsafeWrite sorted place k
-    M.unsafeWrite places (part k) (place + 1)
-  pure sorted
-{-# INLINE countingSort #-}
 
 -- | The names of a scene. /Cost/ O(n).
 namesOf :: Scene -> Names
@@ -138,11 +110,11 @@ slack = 8
 linesOf :: Names -> U.Vector Key -> ByteString
 linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> U.foldM' line begin ks)
   where
-    total = U.foldl' (\sum' k -> let (a, b) = ranksOf k in sum' + long a + long b + 2) 0 ks
+    total = U.foldl' (\sum' k -> let (a, b) = parts k in sum' + long a + long b + 2) 0 ks
     from = U.unsafeIndex (nameStarts names)
     long k = from (k + 1) - from k
     line !place k = do
-      let (a, b) = ranksOf k
+      let (a, b) = parts k
       place' <- name place a
       poke place' (32 :: Word8)
       place'' <- name (place' `plusPtr` 1) b

@@ -7,6 +7,7 @@ module Visibility.Sweep.Piece
   , pieceOf
   , inPieces
   , pieceLength
+  , pieceCorners
   , pieceVertices
   , pieceNeighbours
   , renamed
@@ -48,6 +49,10 @@ inPieces found = case splitAt 4096 found of
 -- | The number of vertices. /Cost/ linear.
 pieceLength :: Piece -> Int
 pieceLength (Piece written) = foldlPrimArray' (\count c -> if c < 0 then count + 1 else count) 0 written
+
+-- | The number of corners on all its vertices.
+pieceCorners :: Piece -> Int
+pieceCorners (Piece written) = sizeofPrimArray written
 
 -- | The vertices of a piece, lazily, in their order.
 pieceVertices :: Piece -> [Vertex]

@@ -10,6 +10,7 @@ module Visibility.Sweep.Sights
   , Changing
   , startSights
   , turnThrough
+  , turnPair
   ) where
 
 import Control.Monad (forM_, when)
@@ -51,21 +52,39 @@ startSights scene =
 
 -- | Turns the lines of a vertex's corners through it.
 turnThrough :: Scene -> Changing s -> Vertex -> ST s ()
-turnThrough scene sights vertex = do
-  forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing p q (frontOf sights)
-  forM_ pairs $ \(CornerId p, CornerId q) -> do
-    landing q p (backOf sights)
-    when (following p == q) (M.unsafeModify (nextAbove sights) (1 -) p)
-    when (following q == p) (M.unsafeModify (nextAbove sights) (1 -) q)
+turnThrough scene sights vertex = case vertex of
+  Vertex (CornerId p) (CornerId q) [] | not (hasSplitEnds scene) -> turnPair scene sights p q
+  _ -> do
+    forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing scene p q (frontOf sights)
+    forM_ pairs $ \(CornerId p, CornerId q) -> turnBack scene sights p q
   where
     pairs = vertexPairs scene vertex
-    following p = let CornerId q = nextCorner scene (CornerId p) in q
-    preceding p = let CornerId q = previousCorner scene (CornerId p) in q
 
-    -- What p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
-    -- obstacle, a side of q that stands in the way, or what q sees itself.
-    landing !p !q objects
-      | following p == q, preceding p /= q = M.unsafeWrite objects p (fromIntegral solid)
-      | preceding q /= p, turn (scenePoints scene) p q (preceding q) == LeftTurn =
-          M.unsafeWrite objects p (fromIntegral (preceding q))
-      | otherwise = M.unsafeRead objects q >>= M.unsafeWrite objects p
+-- | The same for a vertex of two corners, where no wall has split ends.
+turnPair :: Scene -> Changing s -> Int -> Int -> ST s ()
+turnPair scene sights !p !q = landing scene p q (frontOf sights) >> turnBack scene sights p q
+{-# INLINE turnPair #-}
+
+-- | Turns the backward ray of the second corner of a pair, and the sides between the two.
+turnBack :: Scene -> Changing s -> Int -> Int -> ST s ()
+turnBack scene sights !p !q = do
+  landing scene q p (backOf sights)
+  when (following scene p == q) (M.unsafeModify (nextAbove sights) (1 -) p)
+  when (following scene q == p) (M.unsafeModify (nextAbove sights) (1 -) q)
+{-# INLINE turnBack #-}
+
+-- | Writes what p's ray towards q meets once it has turned left past q: the solid if the side from p to q is one of an
+-- obstacle, a side of q that stands in the way, or what q sees itself.
+landing :: Scene -> Int -> Int -> M.MVector s Int32 -> ST s ()
+landing scene !p !q objects
+  | following scene p == q, preceding scene p /= q = M.unsafeWrite objects p (fromIntegral solid)
+  | x /= p, turn (scenePoints scene) p q x == LeftTurn = M.unsafeWrite objects p (fromIntegral x)
+  | otherwise = M.unsafeRead objects q >>= M.unsafeWrite objects p
+  where
+    x = preceding scene q
+
+following, preceding :: Scene -> Int -> Int
+following scene p = let CornerId q = nextCorner scene (CornerId p) in q
+preceding scene p = let CornerId q = previousCorner scene (CornerId p) in q
+{-# INLINE following #-}
+{-# INLINE preceding #-}

@@ -19,7 +19,6 @@ import Visibility.Sight
 import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.Test.Scan
-import Visibility.View (events)
 
 spec :: Spec
 spec = do
@@ -79,7 +78,7 @@ spec = do
         property $ \(AnyScene s) ->
           let scene = sampleScene s
               index = sideIndex (complexOf scene)
-              streamed = formFactors scene (measures scene (events scene (vertices scene)))
+              streamed = formFactors scene (measures scene (vertices scene))
               found = concat [sideFactors look | Just look <- map (sees index) (statedSides scene)]
            in sort (map entry found) === sort (map entry streamed)
     it "is in order, the sky last, and adds up to the part of the side that is not covered" $

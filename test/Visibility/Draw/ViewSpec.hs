@@ -109,6 +109,6 @@ forAllFigures check =
 factorsFrom :: Scene -> SideName -> [(Seen, RootSum)]
 factorsFrom scene side =
   [ (factorTo factor, factorValue factor)
-  | factor <- formFactors scene (measures scene (events scene (vertices scene)))
+  | factor <- formFactors scene (measures scene (vertices scene))
   , factorFrom factor == side
   ]

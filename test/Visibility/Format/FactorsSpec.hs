@@ -19,7 +19,7 @@ pair = sampleScene <$> sampleOf [[(0, 0), (1, 0), (1, 1), (0, 1)], [(2, 0), (2, 
 document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
   lines . Lazy.unpack . toLazyByteString . factorsDocument format detail wanted scene $
-    formFactors scene (measures scene (events scene (vertices scene)))
+    formFactors scene (measures scene (vertices scene))
   where
     wanted = fromMaybe defaultDigits (digits 4)
 

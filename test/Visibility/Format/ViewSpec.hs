@@ -33,7 +33,7 @@ seenFrom :: Scene -> String -> Detail -> Maybe String
 seenFrom scene name detail = do
   side <- find ((== name) . sideText) (statedSides scene)
   pure . text . sideDocument detail fewDigits side $
-    reverse (formFactors scene (measures scene (events scene (vertices scene))))
+    reverse (formFactors scene (measures scene (vertices scene)))
 
 spec :: Spec
 spec = do

@@ -19,7 +19,6 @@ import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Sweep
-import Visibility.View (events)
 
 -- Note [Measure of one face]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -116,7 +115,7 @@ summedMeasures =
           streamed =
             Map.fromList
               [ ((min a b, max a b), RootSum.scaled (latticeScale (sceneLattice scene) % 1) area)
-              | ((a, b), area) <- measureList scene (measures scene (events scene (vertices scene)))
+              | ((a, b), area) <- measureList scene (measures scene (vertices scene))
               ]
           both = Map.unionWith (\(a, _) (_, b) -> (a, b)) (with RootSum.zero <$> bySides) (withFirst <$> streamed)
        in [ objectLabel complex (Just a) <> ", " <> objectLabel complex (Just b) <> ": " <> show (RootSum.terms own)

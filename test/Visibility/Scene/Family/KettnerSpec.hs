@@ -16,7 +16,6 @@ import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Metamorphic (graphOf)
-import Visibility.View (events)
 
 spec :: Spec
 spec = do
@@ -66,7 +65,7 @@ spec = do
   where
     targets = [CornerName (Obstacle p) 0 | p <- [0, 1]]
     cornerPoints scene = [(cornerName scene c, cornerPoint scene c) | c <- corners scene]
-    measuresIn scene = measures scene (events scene (vertices scene))
+    measuresIn scene = measures scene (vertices scene)
     byFilter scene = case pointsKernel (scenePoints scene) of
       FilterKernel _ -> True
       _ -> False

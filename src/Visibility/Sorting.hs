@@ -1,0 +1,60 @@
+-- | Sorting by counting: for numbers below a bound that is not much greater than how many there are.
+module Visibility.Sorting
+  ( -- * Sorting
+    sortedBy
+  , runs
+    -- * Two numbers in one
+  , Pair
+  , pairOf
+  , parts
+  , sortedPairs
+  ) where
+
+import Control.Monad (forM_)
+import Data.Bits (shiftL, shiftR, (.&.), (.|.))
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+
+-- | The items in the order of a part of them, from 0 to just below the bound; items that agree in it keep their order.
+--
+-- /Cost/ O(m + n) for m items and a bound n.
+sortedBy :: U.Unbox a => Int -> (a -> Int) -> U.Vector a -> U.Vector a
+sortedBy bound part items = U.create $ do
+  places <- M.replicate (bound + 1) 0
+  U.forM_ items $ \item -> M.modify places (+ 1) (part item + 1)
+  forM_ [1 .. bound] $ \i -> M.unsafeRead places (i - 1) >>= \before -> M.unsafeModify places (+ before) i
+  sorted <- M.new (U.length items)
+  U.forM_ items $ \item -> do
+    place <- M.read places (part item)
+    M.unsafeWrite sorted place item
+    M.write places (part item) (place + 1)
+  pure sorted
+{-# INLINE sortedBy #-}
+
+-- | Where runs of equal parts begin, and the number of items.
+--
+-- >>> runs id (U.fromList "aab")
+-- [0,2,3]
+runs :: (U.Unbox a, Eq b) => (a -> b) -> U.Vector a -> U.Vector Int
+runs part items = U.filter begins (U.enumFromN 0 (n + 1))
+  where
+    n = U.length items
+    begins i = i == 0 || i == n || part (items U.! (i - 1)) /= part (items U.! i)
+{-# INLINE runs #-}
+
+-- | Two numbers from 0 to below 2^32 in one that sorts like the two.
+type Pair = Int
+
+pairOf :: Int -> Int -> Pair
+pairOf a b = a `shiftL` 32 .|. b
+{-# INLINE pairOf #-}
+
+-- | /Law/ @parts (pairOf a b) == (a, b)@.
+parts :: Pair -> (Int, Int)
+parts k = (k `shiftR` 32, k .&. 0xFFFFFFFF)
+{-# INLINE parts #-}
+
+-- | Items by pairs of numbers below the bound.
+sortedPairs :: U.Unbox a => Int -> (a -> Pair) -> U.Vector a -> U.Vector a
+sortedPairs bound pair = sortedBy bound (fst . parts . pair) . sortedBy bound (snd . parts . pair)
+{-# INLINE sortedPairs #-}
