@@ -9,6 +9,7 @@ module Options
   , LineOrder (..)
   , Jobs (..)
   , FactorOptions (..)
+  , FactorValues (..)
   , ViewOptions (..)
   , From (..)
   , DrawOptions (..)
@@ -30,7 +31,6 @@ import Options.Applicative
   , command
   , customExecParser
   , eitherReader
-  , flag
   , footerDoc
   , fullDesc
   , handleParseResult
@@ -55,11 +55,12 @@ import Options.Applicative
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
+import Options.Factors
 import Options.Reader
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction)
-import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
-import Visibility.Format.Factors (Detail (..), FactorFormat (..))
+import Visibility.Exact.Rounding (Digits)
+import Visibility.Format.Factors (Detail (..))
 import Visibility.Scene (CornerName (..), SideName (..))
 import Visibility.Scene.Family
 
@@ -73,12 +74,6 @@ data Command
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
-
-data FactorOptions = FactorOptions
-  { factorFormat :: !FactorFormat
-  , factorDigits :: !Digits
-  , factorDetail :: !Detail
-  }
 
 data DrawOptions = DrawOptions
   { figure :: !Figure
@@ -150,7 +145,7 @@ commands =
   hsubparser
     ( command "info" (info (right (Info <$> common)) infoHelp)
         <> command "graph" graphCommand
-        <> command "factors" (info (right (Factors <$> common <*> factorOptions)) factorsHelp)
+        <> command "factors" factorsCommand
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
         <> command "view" viewCommand
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
@@ -161,6 +156,8 @@ commands =
     right = fmap Right
     graphCommand = info (mistakenIn "graph" graphCommand (graphing <$> common <*> graphOptions)) graphHelp
     graphing shared options = Graph shared options <$ together shared options
+    factorsCommand = info (mistakenIn "factors" factorsCommand (factoring <$> common <*> factorOptions)) factorsHelp
+    factoring shared = fmap (Factors shared)
     viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> common <*> viewOptions)) viewHelp
     drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
     drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
@@ -187,6 +184,7 @@ commands =
           [ ("a table for other programs", "viscomplex factors scenes/room.json > room.csv")
           , ("for reading", "viscomplex factors scenes/two-squares.json --format text --digits 6")
           , ("the exact sums of roots", "viscomplex factors scenes/two-squares.json --format json --exact")
+          , ("the nearest Doubles, fast", "viscomplex factors scenes/room.json --double > room.csv")
           ]
           ""
     complexHelp =
@@ -239,42 +237,6 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
   where
     example (purpose, call) = indent 2 (text ("# " <> purpose)) : map (indent 2 . text) (lines call)
     ending = if null more then [] else empty : map text (lines more)
-
-factorOptions :: Parser FactorOptions
-factorOptions =
-  FactorOptions
-    <$> option
-      (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])
-      ( long "format"
-          <> metavar "csv|json|text"
-          <> value FactorsCsv
-          <> showDefaultWith (const "csv")
-          <> help "Output format."
-      )
-    <*> digitsOption
-    <*> detailOption
-
-digitsOption :: Parser Digits
-digitsOption =
-  option
-    significant
-    ( long "digits"
-        <> metavar "N"
-        <> value defaultDigits
-        <> showDefaultWith (show . digitCount)
-        <> help "Significant digits of form factors, at least 1, correctly rounded."
-    )
-  where
-    significant = eitherReader $ \word -> do
-      count <- fromInteger <$> wholeNumber "digits" 1 1000000 word
-      maybe (Left "give 1 digit or more") Right (digits count)
-
-detailOption :: Parser Detail
-detailOption =
-  flag
-    DecimalsOnly
-    WithExactMeasures
-    (long "exact" <> help "Also print form factors, where there are any, as exact sums of square roots.")
 
 -- | Where one looks from, if that is said, or what is wrong with it.
 place :: Parser (Either String (Maybe From))

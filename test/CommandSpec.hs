@@ -10,7 +10,7 @@ import Data.Char (isDigit)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
 import Data.Traversable (for)
 import System.Directory (doesFileExist, listDirectory)
@@ -97,6 +97,13 @@ spec = do
       streamed <- lines <$> output ["graph", "scenes/flat.json", "--unsorted"] ""
       sortOn pairOf streamed `shouldBe` sorted
       length (nub sorted) `shouldBe` length sorted
+    it "finds the same pairs on two processors" $
+      for_ ["flat", "grid", "forty-digits", "thirds-and-sevenths", "city"] $ \name -> do
+        let file = "scenes" </> name <> ".json"
+        one <- output ["graph", file] ""
+        output ["graph", file, "-j2"] "" `shouldReturn` one
+        streamed <- output ["graph", file, "-j", "2", "--unsorted"] ""
+        sortOn pairOf (lines streamed) `shouldBe` lines one
     it "decides alike under every exact arithmetic" $
       for_ ["grid", "forty-digits", "thirds-and-sevenths", "flat"] $ \name -> do
         let call arithmetic = output ["graph", "scenes" </> name <> ".json", "--arithmetic", arithmetic] ""
@@ -145,6 +152,20 @@ spec = do
       named <- output ["factors", "scenes/room.json"] ""
       piped <- output ["factors", "-"] text
       piped `shouldBe` named
+
+    it "writes with --double the Doubles nearest to the decimals, shortest first, in every format" $
+      for_ ["room", "two-squares", "flat"] $ \name -> do
+        let call options = output (["factors", "scenes" </> name <> ".json"] <> options) ""
+        exact <- factorsOf <$> call ["--digits", "25"]
+        doubles <- factorsOf <$> call ["--double"]
+        map fst doubles `shouldBe` map fst exact
+        let read' text = fst <$> listToMaybe (reads text) :: Maybe Double
+        map (read' . snd) doubles `shouldBe` map (read' . snd) exact
+        json <- call ["--double", "--format", "json"]
+        text <- call ["--double", "--format", "text"]
+        for_ (take 20 doubles) $ \(_, value) -> do
+          json `shouldContain` ("\"value\":\"" <> value <> "\"")
+          text `shouldContain` value
 
   describe "complex" $ do
     it "is the same to the last byte for both schedulers and every exact arithmetic, in every scene" $ do
@@ -309,6 +330,10 @@ spec = do
         refuses 1 ["size"] ["generate", "random", "--size=" <> number] ""
       for_ ["-5", "18446744073709551616", "x"] $ \number ->
         refuses 1 ["seed"] ["generate", "random", "--size", "3", "--seed=" <> number] ""
+      refuses 1 ["-j2", "topological"] ["graph", "scenes/room.json", "-j2", "--scheduler", "straight"] ""
+      refuses 1 ["1, 2"] ["graph", "scenes/room.json", "-j3"] ""
+      refuses 1 ["--double", "--digits"] ["factors", "scenes/room.json", "--double", "--digits", "3"] ""
+      refuses 1 ["--double", "--exact"] ["factors", "scenes/room.json", "--double", "--exact"] ""
       refuses 1 ["filtered, exact, double"] ["graph", "scenes/room.json", "--arithmetic", "float"] ""
     it "in file names end with exit code 2" $ do
       refuses 2 ["scenes/no-such.json"] ["graph", "scenes/no-such.json"] ""

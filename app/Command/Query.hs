@@ -13,9 +13,9 @@ import Run (printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
-import Visibility.FormFactor (formFactors, measuresInPieces)
+import Visibility.FormFactor (NearestRow (..), formFactors, measuresInPieces, nearestFactors)
 import Visibility.Format.Complex (complexDocument)
-import Visibility.Format.Factors (factorsDocument)
+import Visibility.Format.Factors (factorsDocument, nearestDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
 import Visibility.Sweep (Piece)
@@ -45,8 +45,13 @@ runGraph common options = withScene common $ \scene ->
 runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \scene -> do
   sums <- sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
-  withProgress "form factors written" (const 1) (formFactors scene sums) $
-    printed . factorsDocument (factorFormat options) (factorDetail options) (factorDigits options) scene
+  case factorValues options of
+    Decimals wanted detail ->
+      withProgress "form factors written" (const 1) (formFactors scene sums) $
+        printed . factorsDocument (factorFormat options) detail wanted scene
+    NearestDoubles ->
+      withProgress "form factors written" (length . rowFactors) (nearestFactors scene sums) $
+        printed . nearestDocument (factorFormat options) scene
 
 -- | The whole complex.
 runComplex :: Common -> IO ()

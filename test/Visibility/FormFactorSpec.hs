@@ -94,6 +94,35 @@ spec = do
     it "of a floor and a wall in front of it are by its crossed strings less the uncrossed ones" $
       lookupFactor (squareRoom [[(1 / 2, 1 / 2), (3 / 4, 1 / 2)]]) ("E", 0) ("0", 0)
         `shouldBe` fromTerms [(1 / 8, 13), (-1 / 8, 5)]
+  describe "the nearest Doubles" $ do
+    it "are those of the exact form factors, the same ones in the same order" $
+      property $ \(AnyScene s) -> areNearest (sampleScene s)
+    it "are so where polygons touch" $
+      property $ \(TouchingScene s) -> areNearest (sampleScene s)
+    it "are so on the lattice of large numbers" $
+      property $ \(LatticeScene s) -> forAll (elements [3 ^ (25 :: Int), 3 ^ (80 :: Int), 7 ^ (400 :: Int)]) $ \k ->
+        let larger p = p {rawCorners = map (times k) (rawCorners p)}
+             RawScene name room polygons = sampleRaw s
+         in onScene (RawScene name (larger <$> room) (map larger polygons)) areNearest
+    it "need roots for few of them" $
+      property $ \(ConvexScene s) ->
+        let scene = sampleScene s
+            rows = nearestFactors scene (measuresIn scene)
+         in sum (map rowByRoots rows) * 4 <= sum (map (length . rowFactors) rows) + 8
+    it "go to the even one exactly between two" $ do
+      -- In a triangle with sides a = 2mn, b = m² − n² and a hypotenuse, (a + b − c) / (2a) is 1/2 − n/(2m).
+      let m = 2 ^ (54 :: Int)
+          between n = do
+            scene <- sampleScene <$> sample (RawScene Nothing (Just (rawPolygon (triangle m n))) [])
+            pure
+              [ x
+              | NearestRow (SideName Enclosure 0) found _ <- nearestFactors scene (measuresIn scene)
+              , (TheSide (SideName Enclosure 2), x) <- found
+              ]
+          exactly n = fromRational (1 / 2 - n / (2 * m)) :: Double
+      between 1 `shouldBe` Just [exactly 1]
+      between 3 `shouldBe` Just [exactly 3]
+      map exactly [1, 3] `shouldBe` [0.5, 0.5 - 2 / 2 ^ (54 :: Int)]
   describe "nothing but names" $
     modifyMaxSuccess (* 2) $ do
       it "changes when the scene is moved, scaled, turned or mirrored" $
@@ -143,6 +172,11 @@ spec = do
     both f (a, b) = (f a, f b)
     inOrder (a, b) = (min a b, max a b)
     measuresIn scene = measures scene (vertices scene)
+    times k (Point x y) = Point (k * x) (k * y)
+    triangle m n = [Point 0 0, Point (2 * m * n) 0, Point 0 (m * m - n * n)]
+    areNearest scene =
+      [(from, to, x) | NearestRow from found _ <- nearestFactors scene (measuresIn scene), (to, x) <- found]
+        === [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors scene (measuresIn scene)]
     byLength scene f = case terms (sideLength scene (factorFrom f)) of
       [(c, n)] -> timesRoot c n (factorValue f)
       _ -> Nothing

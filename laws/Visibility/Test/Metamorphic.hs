@@ -38,7 +38,7 @@ import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Sweep
-import Visibility.View (events, statedPairs)
+import Visibility.View (statedPairs)
 
 -- | A map of scenes, and what it does to names.
 data Change = Change

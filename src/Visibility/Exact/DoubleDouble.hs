@@ -17,6 +17,9 @@ module Visibility.Exact.DoubleDouble
   , plusLength
     -- * Quotients
   , nearestHalfQuotient
+    -- * What is proved
+  , sumEnclosure
+  , quotientEnclosure
   ) where
 
 import Data.Bits (shiftL, shiftR, (.&.))
@@ -114,11 +117,23 @@ plusLength !total (Double2 s t) k = go total k
 --
 -- /Laws/ it is that of the exact quotient.
 nearestHalfQuotient :: Sum2 -> Double2 -> Maybe Double
-nearestHalfQuotient (Sum2 a b size count) (Double2 length1 length2)
-  | x > 4 * bound && count < 0x1p20 && below == above && below >= 0x1p-900 && below <= 0x1p900 = Just below
+nearestHalfQuotient total@(Sum2 _ _ _ count) by
+  | surely && count < 0x1p20 && below == above && below >= 0x1p-900 && below <= 0x1p900 = Just below
   | otherwise = Nothing
   where
-    bound = size * (count * count + 5 * count + 9) * 0x1p-106 * (1 + 0x1p-20)
+    Quotient2 surely h g slack = halfQuotient total by
+    below = h + (g - slack)
+    above = h + (g + slack)
+{-# INLINE nearestHalfQuotient #-}
+
+-- | Is the sum surely positive? If so, its quotient is within the third number of the sum of the first two.
+data Quotient2 = Quotient2 !Bool !Double !Double !Double
+
+halfQuotient :: Sum2 -> Double2 -> Quotient2
+halfQuotient total (Double2 length1 length2) = Quotient2 (x > 4 * bound) h g slack
+  where
+    Sum2 a b _ _ = total
+    bound = sumBound total
     (x, x') = twoSum a b
     d = 2 * length1
     d' = 2 * length2
@@ -127,9 +142,32 @@ nearestHalfQuotient (Sum2 a b size count) (Double2 length1 length2)
     r = ((x - p) - p') + (x' - q * d')
     (h, g) = twoSum q (r / d)
     slack = (bound / d + 44 * 0x1p-106 * q) * (1 + 0x1p-20)
-    below = h + (g - slack)
-    above = h + (g + slack)
-{-# INLINE nearestHalfQuotient #-}
+{-# INLINE halfQuotient #-}
+
+-- | How far a sum may be from the sum of its two parts.
+sumBound :: Sum2 -> Double
+sumBound (Sum2 _ _ size count) = size * (count * count + 5 * count + 9) * 0x1p-106 * (1 + 0x1p-20)
+{-# INLINE sumBound #-}
+
+-- | What is known of a sum: a lower and an upper bound.
+--
+-- /Requires/ fewer than 2^20 lengths in the range of Doubles. /Laws/ the exact sum lies between.
+sumEnclosure :: Sum2 -> (Rational, Rational)
+sumEnclosure total@(Sum2 a b _ _) = (middle - slack, middle + slack)
+  where
+    middle = toRational a + toRational b
+    slack = toRational (sumBound total)
+
+-- | What is known of a sum divided by twice a length, if the sum is surely positive.
+--
+-- /Laws/ the exact quotient lies between.
+quotientEnclosure :: Sum2 -> Double2 -> Maybe (Rational, Rational)
+quotientEnclosure total by
+  | surely = Just (middle - toRational slack, middle + toRational slack)
+  | otherwise = Nothing
+  where
+    Quotient2 surely h g slack = halfQuotient total by
+    middle = toRational h + toRational g
 
 -- | The sum and what is lost by it, exactly.
 twoSum :: Double -> Double -> (Double, Double)

@@ -293,7 +293,7 @@ commonRadicand a b = do
   Just g
 
 -- | The coefficient of √g, g a common radicand of all members.
-classCoefficient :: (Eq a, Num a) => Integer -> [Term a] -> a
+classCoefficient :: Num a => Integer -> [Term a] -> a
 classCoefficient g members =
   balancedSum [if n == g then c else multiplied (integerSquareRoot (n `quot` g)) c | Term n c <- members]
 

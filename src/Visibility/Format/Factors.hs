@@ -5,12 +5,15 @@ module Visibility.Format.Factors
   ( FactorFormat (..)
   , Detail (..)
   , factorsDocument
+  , nearestDocument
   , exactTerms
   ) where
 
 import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, char7, string7)
+import Data.ByteString.Builder (Builder, byteString, char7, intDec, string7)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Double.Conversion.ByteString (toShortest)
 import qualified Data.Map.Strict as Map
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
@@ -35,57 +38,75 @@ data Detail = DecimalsOnly | WithExactMeasures
 -- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
 -- not, exactly, and so has the text: the factors of the side add up to that.
 factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
-factorsDocument format detail wanted scene factors = case format of
-  FactorsCsv -> csv detail wanted factors
-  FactorsJson -> Aeson.fromEncoding (json detail wanted scene factors) <> char7 '\n'
-  FactorsText -> plain detail wanted scene factors
-
-fromText, toText :: FormFactor -> String
-fromText = sideText . factorFrom
-toText = seenText . factorTo
-
-valueText :: Digits -> FormFactor -> String
-valueText wanted = decimal wanted . factorValue
-
-csv :: Detail -> Digits -> [FormFactor] -> Builder
-csv detail wanted factors = string7 header <> foldMap row factors
+factorsDocument format detail wanted scene factors = document format (lengthText wanted scene) scene columns (map entry factors)
   where
-    header = case detail of
+    columns = case detail of
       DecimalsOnly -> "from,to,value\n"
       WithExactMeasures -> "from,to,value,measure\n"
-    row factor =
-      string7 (fromText factor)
-        <> char7 ','
-        <> string7 (toText factor)
-        <> char7 ','
-        <> string7 (valueText wanted factor)
-        <> exact factor
-        <> char7 '\n'
-    exact factor = case detail of
-      DecimalsOnly -> mempty
-      WithExactMeasures -> char7 ',' <> string7 (rootSumText (factorMeasure factor))
+    entry factor =
+      Entry (factorFrom factor) (factorTo factor) (Bytes.pack (decimal wanted (factorValue factor))) $ case detail of
+        DecimalsOnly -> Nothing
+        WithExactMeasures -> Just (factorMeasure factor)
 
-json :: Detail -> Digits -> Scene -> [FormFactor] -> Encoding
-json detail wanted scene factors =
+-- | The document of form factors rounded to Doubles, of the same shape. Values and lengths are the nearest Doubles, each
+-- the shortest decimal that is read back as it.
+nearestDocument :: FactorFormat -> Scene -> [NearestRow] -> Builder
+nearestDocument format scene rows = document format (toShortest . nearestDouble . sideLength scene) scene "from,to,value\n" entries
+  where
+    entries = [Entry (rowFrom row) to (toShortest x) Nothing | row <- rows, (to, x) <- rowFactors row]
+
+-- | A form factor as it is written, and its measure where that is wanted.
+data Entry = Entry !SideName !Seen !Bytes.ByteString !(Maybe RootSum)
+
+-- | Entries by the side that they leave; with the text of a side's length and the header of CSV.
+document :: FactorFormat -> (SideName -> Bytes.ByteString) -> Scene -> String -> [Entry] -> Builder
+document format lengthOf scene header entries = case format of
+  FactorsCsv -> string7 header <> foldMap csvRow entries
+  FactorsJson -> Aeson.fromEncoding (json lengthOf scene entries) <> char7 '\n'
+  FactorsText -> plain lengthOf scene entries
+
+lengthText :: Digits -> Scene -> SideName -> Bytes.ByteString
+lengthText wanted scene = Bytes.pack . decimal wanted . sideLength scene
+
+csvRow :: Entry -> Builder
+csvRow (Entry from to value measure) =
+  sideBuilder from
+    <> char7 ','
+    <> seenBuilder to
+    <> char7 ','
+    <> byteString value
+    <> foldMap (\total -> char7 ',' <> string7 (rootSumText total)) measure
+    <> char7 '\n'
+
+-- | As 'sideText' and 'seenText' have it.
+sideBuilder :: SideName -> Builder
+sideBuilder (SideName polygon k) = case polygon of
+  Obstacle p -> intDec p <> char7 '.' <> intDec k
+  Enclosure -> string7 "E." <> intDec k
+
+seenBuilder :: Seen -> Builder
+seenBuilder (TheSide s) = sideBuilder s
+seenBuilder TheSky = string7 (seenText TheSky)
+
+json :: (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Encoding
+json lengthOf scene entries =
   pairs $
     pair "format" (string "viscomplex/1")
       <> pair "sides" (list side (statedSides scene))
-      <> pair "factors" (list entry factors)
+      <> pair "factors" (list factor entries)
   where
     side s =
       pairs $
         pair "id" (string (sideText s))
-          <> pair "length" (string (decimal wanted (sideLength scene s)))
+          <> pair "length" (ascii (lengthOf s))
           <> mconcat [pair "uncovered" (string (rationalText part)) | part <- covering scene s]
-    entry factor =
+    factor (Entry from to value measure) =
       pairs $
-        pair "from" (string (fromText factor))
-          <> pair "to" (string (toText factor))
-          <> pair "value" (string (valueText wanted factor))
-          <> exact factor
-    exact factor = case detail of
-      DecimalsOnly -> mempty
-      WithExactMeasures -> pair "measure" (exactTerms (factorMeasure factor))
+        pair "from" (string (sideText from))
+          <> pair "to" (string (seenText to))
+          <> pair "value" (ascii value)
+          <> foldMap (pair "measure" . exactTerms) measure
+    ascii text = Aeson.unsafeToEncoding (char7 '"' <> byteString text <> char7 '"')
 
 -- | The part of a side that is not covered, where that is not all of it.
 covering :: Scene -> SideName -> [Rational]
@@ -97,21 +118,20 @@ exactTerms = list term . RootSum.terms
   where
     term (c, n) = list string [rationalText c, show n]
 
-plain :: Detail -> Digits -> Scene -> [FormFactor] -> Builder
-plain detail wanted scene factors = foldMap block (statedSides scene)
+plain :: (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Builder
+plain lengthOf scene entries = foldMap block (statedSides scene)
   where
-    bySide = Map.fromListWith (flip (<>)) [(factorFrom factor, [factor]) | factor <- factors]
+    bySide = Map.fromListWith (flip (<>)) [(from, [entry]) | entry@(Entry from _ _ _) <- entries]
     block s =
-      string7 ("side " <> sideText s <> ", length " <> decimal wanted (sideLength scene s))
+      string7 ("side " <> sideText s <> ", length ")
+        <> byteString (lengthOf s)
         <> foldMap (\part -> string7 (", " <> rationalText part <> " of it uncovered")) (covering scene s)
         <> string7 ", sees\n"
         <> foldMap row (Map.findWithDefault [] s bySide)
-    row factor =
-      string7 ("  " <> padded (toText factor) <> valueText wanted factor) <> exact factor <> char7 '\n'
+    row (Entry _ to value measure) =
+      string7 ("  " <> padded (seenText to)) <> byteString value <> foldMap exact measure <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
-    exact factor = case detail of
-      DecimalsOnly -> mempty
-      WithExactMeasures -> string7 "  = (" <> string7 (rootSumText (factorMeasure factor)) <> string7 ") / (2 L)"
+    exact total = string7 "  = (" <> string7 (rootSumText total) <> string7 ") / (2 L)"
 
 -- | A sum of roots for people: @1\/2*sqrt(13) - 3@.
 rootSumText :: RootSum -> String

@@ -18,7 +18,6 @@ import Visibility.Scene
 import Visibility.Sight
 import Visibility.Sweep
 import Visibility.Test.Generator
-import Visibility.View
 
 spec :: Spec
 spec = do

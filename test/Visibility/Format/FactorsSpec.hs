@@ -10,7 +10,6 @@ import Visibility.Format.Factors
 import Visibility.Scene (Scene)
 import Visibility.Sweep
 import Visibility.Test.Generator
-import Visibility.View
 
 -- | A square and a thin wall in front of one of its sides: √2 − 1 of the light of each goes to the other.
 pair :: Maybe Scene

@@ -16,7 +16,6 @@ import Visibility.Scene
 import Visibility.Sight
 import Visibility.Sweep
 import Visibility.Test.Generator
-import Visibility.View
 
 -- | A square and a thin wall in front of one of its sides.
 pair :: Maybe Scene

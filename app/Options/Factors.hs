@@ -1,0 +1,81 @@
+-- | How form factors are written.
+module Options.Factors
+  ( FactorOptions (..)
+  , FactorValues (..)
+  , factorOptions
+    -- * For others that write some
+  , digitsOption
+  , detailOption
+  ) where
+
+import Data.Maybe (fromMaybe)
+import Options.Applicative
+import Options.Reader
+import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
+import Visibility.Format.Factors (Detail (..), FactorFormat (..))
+
+data FactorOptions = FactorOptions
+  { factorFormat :: !FactorFormat
+  , factorValues :: !FactorValues
+  }
+
+-- | What stands for a form factor.
+data FactorValues
+  = -- | A decimal of so many digits, correctly rounded, and perhaps the exact measure.
+    Decimals !Digits !Detail
+  | -- | The nearest Double.
+    NearestDoubles
+
+-- | The options, or what does not go together.
+factorOptions :: Parser (Either String FactorOptions)
+factorOptions = combined <$> format <*> double <*> optional digitsGiven <*> detailOption
+  where
+    format =
+      option
+        (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])
+        ( long "format"
+            <> metavar "csv|json|text"
+            <> value FactorsCsv
+            <> showDefaultWith (const "csv")
+            <> help "Output format."
+        )
+    double =
+      flag
+        Nothing
+        (Just NearestDoubles)
+        ( long "double"
+            <> help
+              "Print the Double nearest to each form factor, as the shortest decimal that is read back as it. As exact as \
+              \the rest, and much faster."
+        )
+    combined wanted (Just chosen) Nothing DecimalsOnly = Right (FactorOptions wanted chosen)
+    combined _ (Just _) (Just _) _ = Left "--double prints Doubles: it goes without --digits"
+    combined _ (Just _) Nothing WithExactMeasures = Left "--double prints Doubles: it goes without --exact"
+    combined wanted Nothing count detail = Right (FactorOptions wanted (Decimals (fromMaybe defaultDigits count) detail))
+
+digitsOption :: Parser Digits
+digitsOption = fromMaybe defaultDigits <$> optional digitsGiven
+
+digitsGiven :: Parser Digits
+digitsGiven =
+  option
+    significant
+    ( long "digits"
+        <> metavar "N"
+        <> help
+          ( "Significant digits of form factors, at least 1, correctly rounded. (default: "
+              <> show (digitCount defaultDigits)
+              <> ")"
+          )
+    )
+  where
+    significant = eitherReader $ \word -> do
+      count <- fromInteger <$> wholeNumber "digits" 1 1000000 word
+      maybe (Left "give 1 digit or more") Right (digits count)
+
+detailOption :: Parser Detail
+detailOption =
+  flag
+    DecimalsOnly
+    WithExactMeasures
+    (long "exact" <> help "Also print form factors, where there are any, as exact sums of square roots.")

@@ -1,0 +1,22 @@
+module Visibility.SortingSpec (spec) where
+
+import Data.List (group, sortOn)
+import qualified Data.Vector.Unboxed as U
+import Test.Hspec
+import Test.QuickCheck
+import Visibility.Sorting
+
+spec :: Spec
+spec = do
+  describe "sortedBy" $
+    it "sorts by a part, and keeps the order of items that agree in it" $
+      forAll (listOf ((,) <$> choose (0, 9) <*> arbitrary)) $ \items ->
+        U.toList (sortedBy 10 fst (U.fromList items)) === sortOn fst (items :: [(Int, Int)])
+  describe "sortedPairs" $
+    it "sorts by pairs" $
+      forAll (listOf ((,) <$> choose (0, 9) <*> choose (0, 9))) $ \pairs ->
+        map parts (U.toList (sortedPairs 10 id (U.fromList (map (uncurry pairOf) pairs)))) === sortOn id pairs
+  describe "runs" $
+    it "begin where the part changes, and end with the number of items" $
+      forAll (listOf (choose (0, 3 :: Int))) $ \items ->
+        U.toList (runs id (U.fromList items)) === scanl (+) 0 (map length (group items))
