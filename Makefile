@@ -29,8 +29,8 @@ EXE := bin/viscomplex
 PACKAGES := ghc cabal-install hpack hspec-discover \
   libghc-aeson-dev libghc-diagrams-lib-dev \
   libghc-diagrams-svg-dev libghc-double-conversion-dev libghc-hspec-dev libghc-optparse-applicative-dev \
-  libghc-primitive-dev libghc-quickcheck2-dev libghc-svg-builder-dev libghc-temporary-dev \
-  libghc-vector-dev libghc-vector-algorithms-dev
+  libghc-primitive-dev libghc-quickcheck2-dev libghc-splitmix-dev libghc-svg-builder-dev \
+  libghc-temporary-dev  libghc-vector-dev libghc-vector-algorithms-dev
 FIGURE_PACKAGES := librsvg2-bin
 PEER_PACKAGES := g++ libcgal-dev
 

@@ -4,6 +4,7 @@ module Main (main) where
 import Command.Draw (runDraw)
 import Command.Generate (runGenerate)
 import Command.Query (runComplex, runFactors, runGraph, runInfo)
+import Command.Report (runReport)
 import Command.Verify (runVerify)
 import Command.View (runView)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
@@ -23,3 +24,4 @@ main = do
     Verify common -> runVerify common
     Draw common options -> runDraw common options
     Generate options -> runGenerate options
+    Report options -> runReport options

@@ -15,6 +15,7 @@ module Options
   , DrawOptions (..)
   , Figure (..)
   , GenerateOptions (..)
+  , ReportOptions (..)
   ) where
 
 import Control.Applicative (optional, (<**>))
@@ -57,6 +58,7 @@ import Options.Applicative.Types (Context (..))
 import Options.Common
 import Options.Factors
 import Options.Reader
+import Options.Report
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction)
 import Visibility.Exact.Rounding (Digits)
@@ -74,6 +76,7 @@ data Command
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
+  | Report !ReportOptions
 
 data DrawOptions = DrawOptions
   { figure :: !Figure
@@ -150,6 +153,7 @@ commands =
         <> command "view" viewCommand
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
         <> command "draw" drawCommand
+        <> command "report" (info (right (Report <$> reportOptions)) reportHelp)
         <> command "generate" (info (right (Generate <$> generateOptions)) generateHelp)
     )
   where
@@ -222,6 +226,10 @@ commands =
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
           ]
           ""
+    reportHelp =
+      progDesc
+        "Measure speed against error, here and now: report.md, its data as CSV, and plots, in a folder. Takes some minutes."
+        <> examples [("less than a minute", "viscomplex report --quick -o report"), ("all of it", "viscomplex report -o report")] ""
     generateHelp =
       progDesc "Print a scene of a named family. The same family, size and seed give the same scene."
         <> examples

@@ -42,12 +42,12 @@ common = Common <$> scene <*> arithmetic <*> scheduler
     sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
     arithmetic =
       option
-        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
+        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble), ("rational", RationalBaseline)])
         ( long "arithmetic"
-            <> metavar "filtered|exact|double"
+            <> metavar "filtered|exact|double|rational"
             <> value Filtered
             <> showDefaultWith (const "filtered")
-            <> help "How signs are decided. double is unsafe: wrong results are its purpose."
+            <> help "How signs are decided. double is unsafe: wrong results are its purpose. rational is a slow baseline."
         )
     scheduler =
       option

@@ -102,7 +102,7 @@ spec = do
     it "are so on the lattice of large numbers" $
       property $ \(LatticeScene s) -> forAll (elements [3 ^ (25 :: Int), 3 ^ (80 :: Int), 7 ^ (400 :: Int)]) $ \k ->
         let larger p = p {rawCorners = map (times k) (rawCorners p)}
-             RawScene name room polygons = sampleRaw s
+            RawScene name room polygons = sampleRaw s
          in onScene (RawScene name (larger <$> room) (map larger polygons)) areNearest
     it "need roots for few of them" $
       property $ \(ConvexScene s) ->

@@ -132,6 +132,15 @@ data Style
   | ViewpointDot
   | VertexDot
   | DegenerateVertexDot
+  | -- | Points of a plot that belong together, and the line that joins them.
+    Series1
+  | Series2
+  | Series3
+  | Series4
+  | Series5
+  | Series6
+  | Series7
+  | Series8
   | Axis
   | -- | The line u = 0 or another faint line of reference.
     Reference
@@ -261,6 +270,7 @@ strokeWidth density style = case style of
   Reference -> 0.8
   Tick -> 0.8
   Leader -> 0.7
+  _ | Series1 <= style && style <= Series8 -> 1.3
   _ -> 0
   where
     by = byDensity density

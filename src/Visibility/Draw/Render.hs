@@ -152,6 +152,14 @@ look density style = case style of
   ViewpointDot -> Look (Just accent) (Just "#ffffff") []
   VertexDot -> Look (Just dark) Nothing []
   DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) []
+  Series1 -> line "#1f1f1f"
+  Series2 -> line "#1f62a8"
+  Series3 -> line "#b3122a"
+  Series4 -> line "#2b7a3d"
+  Series5 -> line "#a8641b"
+  Series6 -> line "#6b4a9e"
+  Series7 -> line "#7a7a7a"
+  Series8 -> line "#00808c"
   Axis -> line dark
   Reference -> line "#b5b5b5"
   Tick -> line dark

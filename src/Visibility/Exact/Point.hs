@@ -87,6 +87,8 @@ data Arithmetic
     Exact
   | -- | Doubles without a bound. Wrong near degeneracy; exists to be measured.
     UnsafeDouble
+  | -- | Rationals without a lattice's advantages: what a first attempt would do. Right, and there to be measured.
+    RationalBaseline
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | What the predicates compute with.
@@ -103,6 +105,7 @@ data Kernel
   | IntegerKernel
   | -- | x and y of corner i at 2i and 2i+1, rounded.
     DoubleKernel !(U.Vector Double)
+  | RationalKernel !(V.Vector Point)
 
 -- | Corners by index, with the arithmetic that decides about them.
 data Points = Points
@@ -131,6 +134,7 @@ tallied tally points = case pointsKernel points of
   MachineKernel _ -> Nothing
   IntegerKernel -> Nothing
   DoubleKernel _ -> Nothing
+  RationalKernel _ -> Nothing
 
 -- | The exact lattice coordinates of a corner. /Requires/ an index below the number of corners.
 pointAt :: Points -> Int -> Vector2
@@ -139,6 +143,7 @@ pointAt points i = exactPoints points V.! i
 
 kernelFor :: Arithmetic -> V.Vector Vector2 -> Kernel
 kernelFor Exact _ = IntegerKernel
+kernelFor RationalBaseline exact = RationalKernel (V.map (\(Vector2 x y) -> Point (fromInteger x) (fromInteger y)) exact)
 kernelFor UnsafeDouble exact = DoubleKernel (U.fromList (concatMap both (V.toList exact)))
   where
     both (Vector2 x y) = [scaledDouble k x, scaledDouble k y]

@@ -25,6 +25,7 @@ module Visibility.Exact.Predicate
   ) where
 
 import Data.Int (Int64)
+import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.Tally (counted)
@@ -75,6 +76,7 @@ otherTurn points a b c d = case pointsKernel points of
     Collinear | mayDiffer a b c d -> counted tally Nothing (integerTurn points a b c d)
     known -> counted tally (Just known) known
   DoubleKernel xs -> doubleTurn xs a b c d
+  RationalKernel ps -> rationalTurn ps a b c d
   MachineKernel _ -> integerTurn points a b c d
   FilterKernel xs -> filteredTurn points xs a b c d
   IntegerKernel -> integerTurn points a b c d
@@ -157,6 +159,14 @@ integerTurn points a b c d = directionTurn (along a b) (along c d)
     along i j = let Vector2 x y = difference (pointAt points i) (pointAt points j) in Direction x y
 
 {-# NOINLINE integerTurn #-}
+
+rationalTurn :: V.Vector Point -> Int -> Int -> Int -> Int -> Turn
+rationalTurn ps a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))
+  where
+    x i = let Point u _ = ps V.! i in u
+    y i = let Point _ v = ps V.! i in v
+
+{-# NOINLINE rationalTurn #-}
 
 doubleTurn :: U.Vector Double -> Int -> Int -> Int -> Int -> Turn
 doubleTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))

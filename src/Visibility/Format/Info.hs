@@ -46,6 +46,7 @@ arithmeticText :: Scene -> String
 arithmeticText scene = case sceneArithmetic scene of
   Exact -> "exact: integers of any size"
   UnsafeDouble -> "double: unsafe, results may be wrong"
+  RationalBaseline -> "rational, a baseline"
   Filtered -> case pointsKernel (scenePoints scene) of
     MachineKernel _ -> "filtered: the lattice fits machine integers" <> lattice
     _ -> "filtered: floating-point filter, integers behind it" <> lattice
@@ -57,6 +58,7 @@ signsText :: Scene -> Maybe Signs -> String
 signsText scene signs = case sceneArithmetic scene of
   Exact -> "all in integers of any size"
   UnsafeDouble -> "all in Doubles"
+  RationalBaseline -> "all in rationals"
   Filtered -> maybe "all in machine integers" shared signs
   where
     shared counts =

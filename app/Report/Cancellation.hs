@@ -1,0 +1,103 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The report's third section: two sides that move apart.
+module Report.Cancellation
+  ( cancellationSection
+  ) where
+
+import Control.Monad (forM)
+import qualified Data.Text as Text
+import Report.Factors (Method (..), methods)
+import Report.Measure (ended)
+import Report.Paper
+import Report.Scenes
+import Visibility.Draw.Drawing (Style (..))
+import Visibility.Estimate.Matrix
+import Visibility.Exact.Point (Point (..))
+import Visibility.FormFactor
+import Visibility.Report.Plot
+import Visibility.Scene
+import Visibility.Scene.Raw
+import Visibility.Sweep
+
+data Row = Row !String !Int !String !Double !Double
+
+cancellationSection :: (String -> IO ()) -> Plan -> FilePath -> IO Section
+cancellationSection progress plan folder = do
+  rows <- fmap concat . forM [(free, blocked) | free <- ["free", "occluded"], blocked <- [0 .. 12]] $ \(kind, k) -> do
+    progress ("cancellation: " <> kind <> ", 1e" <> show k)
+    found <- saved (rawCase folder (kind <> "-1e" <> show k) (facing kind k))
+    let scene = caseScene found
+        truth = truthOf scene (formFactors scene (measures scene (vertices scene)))
+        entry = [(row, column, x) | ((row, column), x) <- truthEntries truth, row `elem` ofWall scene 0, column `elem` ofWall scene 1]
+    concat
+      <$> forM chosen (\m -> do
+        matrix <- ended (methodMatrix m scene)
+        pure [Row kind k (named m) x (errorOf truth matrix' (row, column)) | Just matrix' <- [matrix], (row, column, x) <- take 1 entry])
+  pure
+    Section
+      { sectionTitle = "Cancellation: two unit sides move apart"
+      , sectionText =
+          [ "Two unit walls face each other at the distance d = 10^k. Their form factor, about 1/(2d), is a difference of \
+            \lengths near d: √(d² + 1) − d. Doubles lose twice as many digits as d has; in the occluded case a third wall in \
+            \the middle hides half of it. The exact sums are rounded correctly at every distance, and so are the nearest \
+            \Doubles, which take two Doubles or, where those do not suffice, the roots themselves."
+          ]
+      , sectionTables =
+          [ Table
+              ("Relative error of the form factor between the two walls, " <> kind <> ". An error of 1 means that the method found nothing.")
+              ("distance" : "form factor" : map named chosen)
+              [ ("1e" <> show k) : take 1 [sig x | Row kind' k' _ x _ <- rows, kind' == kind, k' == k]
+                  <> [concat (take 1 [sig e | Row kind' k' m' _ e <- rows, kind' == kind, k' == k, m' == named m]) | m <- chosen]
+              | k <- [0 .. 12 :: Int]
+              ]
+          | kind <- ["free", "occluded"]
+          ]
+      , sectionFigures =
+          [ Figure ("cancellation-" <> kind <> ".svg") (plot (Text.pack kind) [r | r@(Row kind' _ _ _ _) <- rows, kind' == kind]) (caption (Text.pack kind))
+          | kind <- ["free", "occluded"]
+          ]
+      , sectionData =
+          [ ( "cancellation.csv"
+            , ["case", "log10_distance", "method", "form_factor", "relative_error"]
+                : [[kind, show k, filter (/= ',') m, show x, show e] | Row kind k m x e <- rows]
+            )
+          ]
+      }
+  where
+    chosen = concatMap (take 1 . reverse . alike) distinct
+    alike name = [m | m <- methods plan, methodName m == name]
+    distinct = foldr (\m names -> if m `elem` names then names else m : names) [] (map methodName (methods plan))
+    named m = methodName m <> maybe "" ((" " <>) . show) (methodParameter m)
+    ofWall scene p = [r | (r, SideName (Obstacle q) _) <- zip [0 ..] (statedSides scene), q == p]
+    caption kind =
+      "Two unit walls at growing distance, "
+        <> kind
+        <> ": relative error of the form factor between them against the distance, both logarithmic, one line for each method. \
+           \The plain string rule in Doubles loses two digits with each decade of distance until nothing is right; the exact \
+           \and the proved results stay at the rounding of a Double. An error of 0 is not drawn."
+
+errorOf :: Truth -> Matrix -> (Int, Int) -> Double
+errorOf truth matrix place = largestRelative (errorsOf (only place truth) matrix)
+
+facing :: String -> Int -> RawScene
+facing kind k =
+  RawScene Nothing Nothing $
+    [rawWall [Point 0 0, Point 0 1], rawWall [Point d 0, Point d 1]] <> [rawWall [Point (d / 2) 0, Point (d / 2) (1 / 2)] | kind == "occluded"]
+  where
+    d = 10 ^ k
+
+plot :: Text.Text -> [Row] -> Plot
+plot kind rows =
+  Plot
+    { plotTitle = "Two unit walls move apart, " <> kind
+    , plotDescription = "Relative error of one form factor against the distance, by method, both axes logarithmic."
+    , plotAcross = "distance"
+    , plotUpwards = "relative error"
+    , plotSeries =
+        [ Series (Text.pack name) style marker [(10 ^^ k, e) | Row _ k m _ e <- rows, m == name]
+        | (name, (style, marker)) <- zip names (zip [Series1, Series2, Series4, Series6, Series7, Series5, Series8, Series3] [Circle, Square, Triangle, Wedge, Plus, Diamond, Bar, Cross])
+        ]
+    }
+  where
+    names = foldr (\(Row _ _ m _ _) found -> if m `elem` found then found else m : found) [] (reverse rows)

@@ -1,0 +1,89 @@
+-- | Time and child processes, for the report.
+module Report.Measure
+  ( bestTime
+  , timed
+  , Outcome (..)
+  , outcomeWord
+  , runChild
+  , ended
+  ) where
+
+import Control.Exception (evaluate, try)
+import Control.Monad (replicateM)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.IORef (newIORef, readIORef)
+import GHC.Clock (getMonotonicTime)
+import System.CPUTime (getCPUTime)
+import System.Environment (getExecutablePath)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO (IOMode (WriteMode), withFile)
+import System.IO.Temp (withSystemTempDirectory)
+import System.Mem (performGC)
+import System.Process (CreateProcess (..), StdStream (..), proc, terminateProcess, waitForProcess, withCreateProcess)
+import System.Timeout (timeout)
+import Visibility.Law (Violation)
+
+-- | The least processor time of some runs, in seconds, and the result of one. The argument comes out of a cell, so that
+-- no run can share the result of another.
+bestTime :: Int -> a -> (a -> b) -> IO (Double, b)
+bestTime runs argument work = do
+  cell <- newIORef argument
+  performGC
+  results <- replicateM (max 1 runs) (timed (readIORef cell >>= evaluate . work))
+  case results of
+    (_, result) : _ -> pure (minimum (map fst results), result)
+    [] -> timed (evaluate (work argument))
+
+-- | The processor time of an action, in seconds.
+timed :: IO a -> IO (Double, a)
+timed action = do
+  begun <- getCPUTime
+  result <- action
+  finished <- getCPUTime
+  pure (fromInteger (finished - begun) / 1e12, result)
+
+-- | How a child process ended.
+data Outcome
+  = -- | It printed a result, in so many seconds of the clock.
+    Finished !Double !Bytes.ByteString
+  | -- | It noticed that a law was broken, and refused to go on.
+    Refused
+  | -- | Another exit code.
+    Crashed !Int
+  | -- | It was stopped after the time allowed.
+    Unfinished
+
+outcomeWord :: Outcome -> String
+outcomeWord outcome = case outcome of
+  Finished _ _ -> "finished"
+  Refused -> "refused by a law"
+  Crashed code -> "crashed with code " <> show code
+  Unfinished -> "not finished"
+
+-- | Runs this program with other arguments, for at most so many seconds.
+runChild :: Double -> [String] -> IO Outcome
+runChild limit arguments = withSystemTempDirectory "viscomplex-report" $ \folder -> do
+  exe <- getExecutablePath
+  let file = folder </> "out"
+  begun <- getMonotonicTime
+  code <- withFile file WriteMode $ \out ->
+    withFile "/dev/null" WriteMode $ \sink ->
+      withCreateProcess (proc exe arguments) {std_out = UseHandle out, std_err = UseHandle sink} $ \_ _ _ process -> do
+        found <- timeout (round (limit * 1e6)) (waitForProcess process)
+        case found of
+          Just code -> pure (Just code)
+          Nothing -> Nothing <$ (terminateProcess process >> waitForProcess process)
+  finished <- getMonotonicTime
+  case code of
+    Nothing -> pure Unfinished
+    Just ExitSuccess -> Finished (finished - begun) <$> Bytes.readFile file
+    Just (ExitFailure 70) -> pure Refused
+    Just (ExitFailure other) -> pure (Crashed other)
+
+-- | A value that unsafe arithmetic may not come to: 'Nothing' where a law breaks on the way.
+ended :: a -> IO (Maybe a)
+ended value = either unlawful Just <$> try (evaluate value)
+  where
+    unlawful :: Violation -> Maybe a
+    unlawful _ = Nothing

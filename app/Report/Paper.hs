@@ -1,0 +1,104 @@
+-- | What sections of the report are made of.
+module Report.Paper
+  ( Section (..)
+  , Table (..)
+  , Figure (..)
+  , Plan (..)
+  , Thoroughness (..)
+  , planOf
+  , markdown
+  , csv
+  , sig
+  , micro
+  ) where
+
+import Data.List (intercalate)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Numeric (showEFloat, showFFloat)
+import Visibility.Report.Plot (Plot)
+
+-- | A part of the report, in this order: text, tables, figures.
+data Section = Section
+  { sectionTitle :: !String
+  , sectionText :: ![String]
+  -- ^ Paragraphs.
+  , sectionTables :: ![Table]
+  , sectionFigures :: ![Figure]
+  , sectionData :: ![(FilePath, [[String]])]
+  -- ^ CSV files, each with its header.
+  }
+
+-- | A table with its caption and header.
+data Table = Table !String ![String] ![[String]]
+
+-- | A plot, its file, and the caption that a reader understands it from.
+data Figure = Figure !FilePath !Plot !Text
+
+data Thoroughness = Quick | Full
+  deriving (Eq, Show)
+
+-- | How much is measured.
+data Plan = Plan
+  { ladderSizes :: ![Int]
+  -- ^ Of random quadrilaterals.
+  , otherSize :: !Int
+  , bruteForceLimit :: !Int
+  -- ^ Brute force up to so many corners.
+  , slowLimit :: !Int
+  -- ^ Rationals up to so many corners.
+  , runs :: !Int
+  , factorSizes :: ![Int]
+  , lineCounts, pointCounts, directionCounts :: ![Int]
+  , hardSteps :: ![Int]
+  , timeLimit :: !Double
+  -- ^ For a child, in seconds.
+  }
+
+planOf :: Thoroughness -> Plan
+planOf Quick = Plan [8, 32, 128] 64 64 128 2 [30] [1000, 10000, 100000] [1, 4, 16] [10, 100, 1000] [0, 6 .. 60] 2
+planOf Full =
+  Plan
+    [8, 32, 128, 512, 2048]
+    256
+    160
+    2100
+    3
+    [30, 100]
+    [1000, 10000, 100000, 1000000, 10000000]
+    [1, 4, 16, 64, 256]
+    [10, 100, 1000, 10000]
+    [0, 2 .. 64]
+    20
+
+-- | A number with three digits.
+sig :: Double -> String
+sig x
+  | x == 0 = "0"
+  | abs x >= 0.01 && abs x < 1000 = showFFloat (Just places) x ""
+  | otherwise = showEFloat (Just 2) x ""
+  where
+    places = max 0 (2 - floor (logBase 10 (abs x))) :: Int
+
+-- | Microseconds of seconds.
+micro :: Double -> String
+micro = sig . (* 1e6)
+
+-- | A section in Markdown. The title's level is the second.
+markdown :: Section -> String
+markdown (Section title texts tables figures files) =
+  unlines $
+    ["## " <> title, ""]
+      <> concatMap (\paragraph -> [paragraph, ""]) texts
+      <> concatMap table tables
+      <> concatMap figure figures
+      <> ["Data: " <> intercalate ", " ["[" <> name <> "](" <> name <> ")" | (name, _) <- files] <> ".", ""]
+  where
+    table (Table caption header rows) =
+      ["*" <> caption <> "*", "", row header, row (map (const "---") header)] <> map row rows <> [""]
+    row cells = "| " <> intercalate " | " cells <> " |"
+    figure (Figure file _ caption) = ["![](" <> file <> ")", "", "*" <> Text.unpack caption <> "*", ""]
+
+-- | Rows of cells, none of which holds a comma or a quote.
+csv :: [[String]] -> String
+csv = unlines . map (intercalate ",")
