@@ -6,12 +6,12 @@ module Report.Cancellation
   ) where
 
 import Control.Monad (forM)
+import Data.List (isPrefixOf)
 import qualified Data.Text as Text
-import Report.Factors (Method (..), methods)
+import Report.Factors (Method (..), looks, methods)
 import Report.Measure (ended)
 import Report.Paper
 import Report.Scenes
-import Visibility.Draw.Drawing (Style (..))
 import Visibility.Estimate.Matrix
 import Visibility.Exact.Point (Point (..))
 import Visibility.FormFactor
@@ -74,7 +74,8 @@ cancellationSection progress plan folder = do
       "Two unit walls at growing distance, "
         <> kind
         <> ": relative error of the form factor between them against the distance, both logarithmic, one line for each method. \
-           \The plain string rule in Doubles loses two digits with each decade of distance until nothing is right; the exact \
+           \Where lines lie on each other, the last in the legend is on top: all Double on the string rule in Double, and the \
+           \proved and the compensated results on the exact ones. The plain string rule in Doubles loses two digits with each decade of distance until nothing is right; the exact \
            \and the proved results stay at the rounding of a Double. An error of 0 is not drawn."
 
 errorOf :: Truth -> Matrix -> (Int, Int) -> Double
@@ -96,8 +97,10 @@ plot kind rows =
     , plotUpwards = "relative error"
     , plotSeries =
         [ Series (Text.pack name) style marker [(10 ^^ k, e) | Row _ k m _ e <- rows, m == name]
-        | (name, (style, marker)) <- zip names (zip [Series1, Series2, Series4, Series6, Series7, Series5, Series8, Series3] [Circle, Square, Triangle, Wedge, Plus, Diamond, Bar, Cross])
+        | name <- names
+        , (family', (style, marker)) <- looks
+        , family' `isPrefixOf` name
         ]
     }
   where
-    names = foldr (\(Row _ _ m _ _) found -> if m `elem` found then found else m : found) [] (reverse rows)
+    names = [m | Row _ 0 m _ _ <- rows]

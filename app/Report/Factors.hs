@@ -5,6 +5,7 @@ module Report.Factors
   ( factorsSection
   , Method (..)
   , methods
+  , looks
   ) where
 
 import Control.Monad (forM)
@@ -77,7 +78,7 @@ factorsSection progress plan folder = do
             \sums are exact, and print to any number of digits."
           , "*String rule in Double* and *compensated Double* add distances along the exact sweep; *all Double* also sweeps in \
             \Doubles; *double integral* takes what points in the middles of equal parts of each side see, their number being \
-            \its parameter; *area in the dual* takes all lines of so many directions; *random lines* takes so many lines."
+            \its parameter (up to 40000 points in all); *area in the dual* takes all lines of so many directions; *random lines* takes so many lines."
           , "For orientation, taken from elsewhere and from another machine: on 30 quadrilaterals the best approximate program \
             \known takes 0.01 s for a largest error of 3e-4, and 0.46 s for one of 1e-9."
           ]
@@ -112,12 +113,13 @@ factorsSection progress plan folder = do
   where
     measuredOn found = do
       let scene = caseScene found
+          affordable m = methodName m /= "double integral" || maybe 0 (* cornerCount scene) (methodParameter m) <= 40000
           truth = truthOf scene (formFactors scene (measuresInPieces scene (verticesInPieces scene)))
       contained <- runChild (timeLimit plan) ["graph", "--arithmetic", "double", caseFile found]
       let ends = case contained of Finished _ _ -> True; _ -> False
       catMaybes
         <$> forM
-          [m | m <- methods plan, ends || methodName m /= "all Double"]
+          [m | m <- methods plan, ends || methodName m /= "all Double", affordable m]
           ( \m -> do
               progress ("form factors: " <> caseName found <> ", " <> methodName m)
               (seconds, matrix) <- timed' m scene
@@ -153,15 +155,19 @@ plot c title part rows =
     , plotUpwards = title
     , plotSeries =
         [ Series (Text.pack name) style marker [(t, part e) | Row c' m t e <- rows, caseName c' == caseName c, methodName m == name]
-        | (name, style, marker) <-
-            [ ("exact string rule", Series1, Circle)
-            , ("nearest Doubles, proved", Series2, Square)
-            , ("string rule in Double, exact topology", Series4, Triangle)
-            , ("compensated Double, exact topology", Series6, Wedge)
-            , ("all Double", Series7, Plus)
-            , ("double integral", Series5, Diamond)
-            , ("area in the dual", Series8, Bar)
-            , ("random lines", Series3, Cross)
-            ]
+        | (name, (style, marker)) <- looks
         ]
     }
+
+-- | How each method is drawn, in all plots alike.
+looks :: [(String, (Style, Marker))]
+looks =
+  [ ("exact string rule", (Series1, Circle))
+  , ("nearest Doubles, proved", (Series2, Square))
+  , ("string rule in Double, exact topology", (Series4, Triangle))
+  , ("compensated Double, exact topology", (Series6, Wedge))
+  , ("all Double", (Series7, Plus))
+  , ("double integral", (Series5, Diamond))
+  , ("area in the dual", (Series8, Bar))
+  , ("random lines", (Series3, Cross))
+  ]

@@ -4,7 +4,7 @@ module Report.Hard
   ) where
 
 import Control.Monad (forM)
-import Data.List (sort)
+import Data.List (intercalate, sort)
 import qualified Data.Set as Set
 import Report.Measure
 import Report.Paper
@@ -29,9 +29,9 @@ ladders :: Plan -> [Ladder]
 ladders plan =
   [ Ladder "nearly collinear" "three triangles with tips on a line, but for 2^-k" nearlyCollinear steps
   , Ladder "slit" "two walls end to end with a slit of 2^-k between them, and a triangle on either side" slit steps
-  , Ladder "needles" "twelve triangles, a unit long and 2^-k wide, side by side" needles steps
-  , Ladder "far away" "ten quadrilaterals with corners at thirds, moved by 2^k" far steps
-  , Ladder "touching" "a pinwheel of four triangles with coordinates of 1/3 of 2^k, corner to corner" touching steps
+  , Ladder "needles" "twelve slanted triangles, about a unit long and 2^-k wide" needles steps
+  , Ladder "far away" "ten quadrilaterals with corners at thirds, and a triangle at a distance of 4000 · 2^k" far steps
+  , Ladder "touching" "four triangles of size 2^k that touch in (1/7, 1/11), and a fifth that nearly touches one of them along a side" touching steps
   , Ladder "kettner" "k tiny triangles near (1/2, 1/2), and two others" (\k -> named Kettner (max 1 k)) (filter (> 0) steps)
   ]
   where
@@ -57,7 +57,8 @@ hardSection progress plan folder = do
     Section
       { sectionTitle = "Hard cases: where each arithmetic first errs"
       , sectionText =
-          [ "Each scene gets harder with k. Doubles run in a process of their own, with a time limit, and their graph is \
+          [ "Doubles: " <> intercalate ", " [show n <> " " <> word | (word, n) <- outcomes rows, n > 0] <> "."
+          , "Each scene gets harder with k. Doubles run in a process of their own, with a time limit, and their graph is \
             \compared with the exact one; filtered and exact arithmetic are compared with brute force in integers, pair by pair."
           ]
       , sectionTables =
@@ -85,6 +86,13 @@ hardSection progress plan folder = do
           ]
       }
   where
+    outcomes rows =
+      [ ("right", length [() | Row _ _ o m e _ _ <- rows, not (isWrong o m e)])
+      , ("finished with wrong pairs and noticed nothing", length [() | Row _ _ o@(Finished _ _) m e _ _ <- rows, isWrong o m e])
+      , ("refused by a law", length [() | Row _ _ Refused _ _ _ _ <- rows])
+      , ("crashed", length [() | Row _ _ (Crashed _) _ _ _ _ <- rows])
+      , ("not finished in time", length [() | Row _ _ Unfinished _ _ _ _ <- rows])
+      ]
     dash c = if c == ' ' then '-' else c
     firstOf ks = case ks of
       [] -> "never"
@@ -109,17 +117,30 @@ slit k =
     , [Point (-3) (-1 / 3), Point (-2) (-1 / 7), Point (-2) (1 / 3)]
     , [Point 2 (-1 / 3), Point 3 0, Point 2 (1 / 7)]
     ]
-needles k = scene' [[Point 0 y, Point 1 (y + tiny k / 3), Point 0 (y + tiny k)] | j <- [0 .. 11], let y = fromInteger j * tiny k * 2]
-far k = RawScene Nothing Nothing [p {rawCorners = [Point (x / 3 + 2 ^ k) (y / 3 + 2 ^ k) | Point x y <- rawCorners p]} | p <- rawPolygons (named Random 10)]
+needles k =
+  scene'
+    [ [Point (j / 7) (j / 3 + y), Point (1 + j / 11) (j / 3 + y + 1 / 3 + tiny k / 3), Point (j / 7) (j / 3 + y + tiny k)]
+    | j <- map fromInteger [0 .. 11]
+    , let y = j * tiny k * 2
+    ]
+far k =
+  RawScene Nothing Nothing $
+    [p {rawCorners = [Point (x / 3) (y / 3) | Point x y <- rawCorners p]} | p <- rawPolygons (named Random 10)]
+      <> [rawPolygon [Point (2 ^ k * 4000) 1, Point (2 ^ k * 4001) 0, Point (2 ^ k * 4001) (2 ^ k)]]
 touching k =
   scene'
-    [ [Point 0 0, Point s (s / 7), Point s (s / 2)]
-    , [Point 0 0, Point (-s / 7) s, Point (-s / 2) s]
-    , [Point 0 0, Point (-s) (-s / 7), Point (-s) (-s / 2)]
-    , [Point 0 0, Point (s / 7) (-s), Point (s / 2) (-s)]
+    [ map moved corners'
+    | corners' <-
+        [ [(0, 0), (s, s / 7), (s, s / 2)]
+        , [(0, 0), (-s / 7, s), (-s / 2, s)]
+        , [(0, 0), (-s, -s / 7), (-s, -s / 2)]
+        , [(0, 0), (s / 7, -s), (s / 2, -s)]
+        , [(s / 3, s / 6 + 1 / 97), (s / 2, s / 4 + 1 / 97), (s / 3, s / 3)]
+        ]
     ]
   where
-    s = 2 ^ k / 3
+    s = 4 + 2 ^ k / 3
+    moved (x, y) = Point (x + 1 / 7) (y + 1 / 11)
 
 tiny :: Int -> Rational
 tiny k = 1 / 2 ^ k

@@ -3,6 +3,7 @@ module Report.Scenes
   ( Case (..)
   , familyCase
   , rawCase
+  , enlarged
   , saved
   ) where
 
@@ -15,7 +16,8 @@ import Visibility.Format.Json (sceneDocument)
 import Visibility.Law (broken)
 import Visibility.Scene (Scene)
 import Visibility.Scene.Family
-import Visibility.Scene.Raw (RawScene)
+import Visibility.Exact.Point (Point (..))
+import Visibility.Scene.Raw (RawPolygon (..), RawScene (..))
 import Visibility.Scene.Validate (validate)
 
 -- | A scene with its name and its file.
@@ -31,6 +33,13 @@ familyCase :: FilePath -> Family -> Int -> Case
 familyCase folder kind n = case size n of
   Just k -> rawCase folder (Text.unpack (familyName kind) <> "-" <> show n) (family kind k (Seed 1))
   Nothing -> broken "a scene of the report has a size" (show (kind, n))
+
+-- | The same scene with all coordinates times as much.
+enlarged :: Rational -> Case -> RawScene
+enlarged factor found = raw {rawPolygons = map larger (rawPolygons raw)}
+  where
+    raw = caseRaw found
+    larger p = p {rawCorners = [Point (factor * x) (factor * y) | Point x y <- rawCorners p]}
 
 -- | Any valid scene.
 rawCase :: FilePath -> String -> RawScene -> Case

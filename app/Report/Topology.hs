@@ -41,7 +41,8 @@ topologySection progress plan folder = do
   others <-
     mapM (saved . uncurry (familyCase folder)) $
       [(kind, otherSize plan) | kind <- [Grid, Needles, Checkerboard, Terraces, ThinWalls, Comb]] <> [(Kettner, k) | k <- [8, 40]]
-  rows <- concat <$> forM (ladder <> others) (\found -> progress ("topology: " <> caseName found) >> rowsOf plan found)
+  large <- saved (rawCase folder "random-128-times-3^40" (enlarged (3 ^ (40 :: Int)) (familyCase folder Random 128)))
+  rows <- concat <$> forM (ladder <> [large] <> others) (\found -> progress ("topology: " <> caseName found) >> rowsOf plan found)
   pure
     Section
       { sectionTitle = "Topology: arithmetic and scheduler"

@@ -63,7 +63,7 @@ plotDrawing plot =
     legendTop = entries + 8
     bottom = legendTop + 56
     top = bottom + 360
-    height = top + 40
+    height = top + 54
     shown = [s {seriesPoints = filter positive (seriesPoints s)} | s <- plotSeries plot]
     positive (x, y) = x > 0 && y > 0 && not (isInfinite x || isInfinite y)
     joinedUp s = length (seriesPoints s) > 1
@@ -93,7 +93,7 @@ plotDrawing plot =
 decades :: [Double] -> (Int, Int)
 decades values
   | null logs = (-1, 1)
-  | otherwise = let low = floor (minimum logs) in (low, max (low + 1) (ceiling (maximum logs)))
+  | otherwise = let low = floor (minimum logs - 0.1) in (low, max (low + 1) (ceiling (maximum logs + 0.05)))
   where
     logs = map (logBase 10) values
 
