@@ -55,10 +55,11 @@ pairOf line = case map readCornerName (words line) of
 
 factorsOf :: String -> [((String, String), String)]
 factorsOf text = [((from, to), value) | line <- drop 1 (lines text), [from, to, value] <- [cells line]]
-  where
-    cells line = case break (== ',') line of
-      (cell, _ : rest) -> cell : cells rest
-      (cell, []) -> [cell]
+
+cells :: String -> [String]
+cells line = case break (== ',') line of
+  (cell, _ : rest) -> cell : cells rest
+  (cell, []) -> [cell]
 
 spec :: Spec
 spec = do
@@ -269,6 +270,25 @@ spec = do
         again `shouldBe` scene
         info <- output ["info", "-"] scene
         lookup "vertices" (infoLines info) `shouldSatisfy` maybe False (all isDigit)
+
+  describe "report" $
+    it "measures, and writes a page, its data and its plots" $
+      withSystemTempDirectory "viscomplex" $ \folder -> do
+        page <- output ["report", "--quick", "-o", folder </> "new"] ""
+        lines page `shouldBe` [folder </> "new" </> "report.md"]
+        text <- readFile (folder </> "new" </> "report.md")
+        for_ ["## Topology", "## Form factors", "## Cancellation", "## Hard cases"] $ \title -> text `shouldContain` title
+        for_ ["topology", "factors", "cancellation", "hard"] $ \name -> do
+          table <- map cells . lines <$> readFile (folder </> "new" </> name <> ".csv")
+          length table `shouldSatisfy` (> 10)
+          nub (map length table) `shouldBe` take 1 (map length table)
+        for_ ["topology", "random-30-largest", "random-30-median", "cancellation-free", "cancellation-occluded"] $ \name -> do
+          svg <- readFile (folder </> "new" </> name <> ".svg")
+          svg `shouldContain` "</svg>"
+          text `shouldContain` (name <> ".svg")
+        -- What is exact is right on every scene, whatever the clock says.
+        hard <- drop 1 . map cells . lines <$> readFile (folder </> "new" </> "hard.csv")
+        map (drop 5) hard `shouldBe` map (const ["True", "True"]) hard
 
   describe "version" $
     it "is that of the package" $ do

@@ -126,7 +126,9 @@ needles k =
 far k =
   RawScene Nothing Nothing $
     [p {rawCorners = [Point (x / 3) (y / 3) | Point x y <- rawCorners p]} | p <- rawPolygons (named Random 10)]
-      <> [rawPolygon [Point (2 ^ k * 4000) 1, Point (2 ^ k * 4001) 0, Point (2 ^ k * 4001) (2 ^ k)]]
+      <> [rawPolygon [Point (-d) (-d), Point (-d) (1 - d), Point (-d - 1) (-d)]]
+  where
+    d = 4000 * 2 ^ k
 touching k =
   scene'
     [ map moved corners'

@@ -78,16 +78,23 @@ along sides !c !s !u !weight put = follow Nothing crossings
       | (d < 0) == (d' < 0) = collect (i + 1) found
       | otherwise = collect (i + 1) (insertBy before crossing found)
       where
-        x = startX sides U.! i
-        y = startY sides U.! i
-        x' = endX sides U.! i
-        y' = endY sides U.! i
-        -- Offsets grow to the right of the direction.
-        d = x * s - y * c - u
-        d' = x' * s - y' * c - u
-        at = (x * c + y * s) + ((x' - x) * c + (y' - y) * s) * (d / (d - d'))
-        -- The solid is on the left: a side that comes from the right of the line has it behind.
-        crossing = Crossing at (if d > 0 then Leaves else Enters) (sideNumber sides U.! i)
+        d = startX sides U.! i * s - startY sides U.! i * c - u
+        d' = endX sides U.! i * s - endY sides U.! i * c - u
+        -- The solid is on the left: a side that comes from the right of the line has it behind. Offsets grow to the right.
+        crossing = Crossing (meeting i) (if d > 0 then Leaves else Enters) (sideNumber sides U.! i)
+    -- How far along the line a side is met: the same for both faces of a wall, which have the same ends.
+    meeting i
+      | (startX sides U.! i, startY sides U.! i) <= (endX sides U.! i, endY sides U.! i) = between (startX, startY) (endX, endY)
+      | otherwise = between (endX, endY) (startX, startY)
+      where
+        between (ax, ay) (bx, by) =
+          let x = ax sides U.! i
+              y = ay sides U.! i
+              x' = bx sides U.! i
+              y' = by sides U.! i
+              d = x * s - y * c - u
+              d' = x' * s - y' * c - u
+           in (x * c + y * s) + ((x' - x) * c + (y' - y) * s) * (d / (d - d'))
     before (Crossing a p _) (Crossing b q _) = compare (a, p) (b, q)
     -- What is behind on the line, if it is free there.
     follow back list = case list of

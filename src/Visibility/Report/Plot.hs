@@ -22,6 +22,7 @@ data Plot = Plot
   , plotUpwards :: !Text
   , plotSeries :: ![Series]
   }
+  deriving (Eq, Show)
 
 -- | Points that belong together, from left to right as listed, and whether a line joins them.
 data Series = Series
@@ -31,6 +32,7 @@ data Series = Series
   , seriesMarker :: !Marker
   , seriesPoints :: ![(Double, Double)]
   }
+  deriving (Eq, Show)
 
 -- | The shape of a point, so that series can be told apart without colour.
 data Marker = Circle | Square | Triangle | Diamond | Cross | Plus | Wedge | Bar

@@ -58,7 +58,7 @@ spec = do
                    ]
     it "is what is asked for" $
       map (kernelName . (`pointsOn` [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound]
-        `shouldBe` ["machine", "integer", "double"]
+        `shouldBe` ["machine", "integer", "double", "rational"]
     it "can be chosen anew without touching the points" $
       property $ \a b (SomePoints ps) ->
         let l = latticeFor ps
@@ -103,6 +103,7 @@ kernelName points = case pointsKernel points of
   TallyKernel _ _ -> "tally"
   IntegerKernel -> "integer"
   DoubleKernel _ -> "double"
+  RationalKernel _ -> "rational"
 
 newtype SomeArithmetic = SomeArithmetic {arithmetic :: Arithmetic}
   deriving (Show)
