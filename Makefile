@@ -27,10 +27,10 @@ EXE := bin/viscomplex
 
 # The Debian packages, and the same by the names and bounds of package.yaml.
 PACKAGES := ghc cabal-install hpack hspec-discover \
-  libghc-aeson-dev libghc-diagrams-lib-dev \
-  libghc-diagrams-svg-dev libghc-double-conversion-dev libghc-hspec-dev libghc-optparse-applicative-dev \
-  libghc-primitive-dev libghc-quickcheck2-dev libghc-splitmix-dev libghc-svg-builder-dev \
-  libghc-temporary-dev  libghc-vector-dev libghc-vector-algorithms-dev
+  libghc-aeson-dev libghc-criterion-dev libghc-diagrams-lib-dev libghc-diagrams-svg-dev \
+  libghc-double-conversion-dev libghc-hspec-dev libghc-optparse-applicative-dev libghc-primitive-dev \
+  libghc-quickcheck2-dev libghc-splitmix-dev libghc-svg-builder-dev libghc-temporary-dev \
+  libghc-vector-dev libghc-vector-algorithms-dev libghc-weigh-dev
 FIGURE_PACKAGES := librsvg2-bin
 PEER_PACKAGES := g++ libcgal-dev
 
@@ -236,7 +236,19 @@ soak: setup ## the sweeps against brute force on SCENES=1000000 random scenes, i
 	exit $$status
 
 .PHONY: bench
-bench: build ## run the benchmark
+bench: build ## time and space of the parts and of whole commands, beside bench/baseline
+	@$(CABAL)
+	build bench:time bench:space
+	bin() { cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) "$$1"; }
+	out=dist-newstyle/bench
+	mkdir -p "$$out"
+	rm -f "$$out"/*.csv
+	VISCOMPLEX_EXE="$$PWD/$(EXE)" "$$(bin bench:time)" --time-limit 1 --csv "$$out/time.csv" > "$$out/time.log"
+	"$$(bin bench:space)" > "$$out/space.csv"
+	bash bench/ratios.sh bench/baseline "$$out"
+
+.PHONY: ladder
+ladder: build ## the sweeps on scenes of all families and sizes; BENCH_ARGS names families
 	@$(CABAL)
 	build bench:ladder
 	"$$(cabal list-bin --builddir=$(BUILDDIR) $(CABAL_FLAGS) bench:ladder)" $(BENCH_ARGS)

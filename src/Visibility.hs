@@ -47,6 +47,8 @@ module Visibility
   , measures
   , FormFactor (..)
   , formFactors
+  , NearestRow (..)
+  , nearestFactors
     -- * Numbers
   , RootSum
   , decimal
@@ -70,7 +72,7 @@ import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
-import Visibility.FormFactor (FormFactor (..), Measures, formFactors, measures)
+import Visibility.FormFactor (FormFactor (..), Measures, NearestRow (..), formFactors, measures, nearestFactors)
 import Visibility.Format.File (readSceneFile)
 import Visibility.Scene (CornerId (..), Object (..), Scene, SideId (..))
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
