@@ -7,6 +7,7 @@ module Run
   , printed
   , streamed
   , written
+  , orComplain
   , complain
   , ends
   ) where

@@ -14,6 +14,7 @@ import Report.Factors
 import Report.Hard
 import Report.Paper
 import Report.Topology
+import Run (orComplain)
 import System.Directory (createDirectoryIfMissing)
 import System.FilePath ((</>))
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
@@ -25,7 +26,7 @@ import Visibility.Report.Plot (plotDrawing)
 
 -- | Measures everything and writes report.md, the CSV files and the plots.
 runReport :: ReportOptions -> IO ()
-runReport options = do
+runReport options = orComplain folder $ do
   createDirectoryIfMissing True folder
   terminal <- hIsTerminalDevice stderr
   let progress text

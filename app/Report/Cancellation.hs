@@ -39,8 +39,8 @@ cancellationSection progress plan folder = do
       { sectionTitle = "Cancellation: two unit sides move apart"
       , sectionText =
           [ "Two unit walls face each other at the distance d = 10^k. Their form factor, about 1/(2d), is a difference of \
-            \lengths near d: √(d² + 1) − d. Doubles lose twice as many digits as d has; in the occluded case a third wall in \
-            \the middle hides half of it. The exact sums are rounded correctly at every distance, and so are the nearest \
+            \lengths near d: √(d² + 1) − d. Doubles lose twice as many digits as d has; in the occluded case a third wall, at a \
+            \third of the way and 2/7 high, hides some of it. The exact sums are rounded correctly at every distance, and so are the nearest \
             \Doubles, which take two Doubles or, where those do not suffice, the roots themselves."
           ]
       , sectionTables =
@@ -84,7 +84,7 @@ errorOf truth matrix place = largestRelative (errorsOf (only place truth) matrix
 facing :: String -> Int -> RawScene
 facing kind k =
   RawScene Nothing Nothing $
-    [rawWall [Point 0 0, Point 0 1], rawWall [Point d 0, Point d 1]] <> [rawWall [Point (d / 2) 0, Point (d / 2) (1 / 2)] | kind == "occluded"]
+    [rawWall [Point 0 0, Point 0 1], rawWall [Point d 0, Point d 1]] <> [rawWall [Point (d / 3) 0, Point (d / 3) (2 / 7)] | kind == "occluded"]
   where
     d = 10 ^ k
 
