@@ -36,16 +36,18 @@ data Hit = Meets !Object | Solid
 -- | A scene made ready for many rays: the corners' coordinates, x and y of corner i at 2i and 2i+1.
 data Rays = Rays !Scene !Coordinates
 
--- | In machine integers where all lie in [0, 2³⁰).
-data Coordinates = Small !(U.Vector Int) | Large !(V.Vector Integer)
+-- | In machine integers where all are integers in [0, 2³⁰); else in integers where they can be.
+data Coordinates = Small !(U.Vector Int) | Large !(V.Vector Integer) | Between !(V.Vector Rational)
 
 -- | /Cost/ O(n).
 raysIn :: Scene -> Rays
 raysIn scene
+  | not (all isWhole places) = Rays scene (Between (V.fromList (concat [[x, y] | (x, y) <- map coordinates places])))
   | all (< 2 ^ (30 :: Int)) numbers = Rays scene (Small (U.fromList (map fromInteger numbers)))
   | otherwise = Rays scene (Large (V.fromList numbers))
   where
-    numbers = concat [[x, y] | c <- corners scene, let Vector2 x y = cornerAt scene c]
+    places = map (cornerAt scene) (corners scene)
+    numbers = concat [[x, y] | LatticePoint x y _ <- places]
 
 -- | The ray from a corner.
 --
@@ -68,18 +70,20 @@ viewAt = viewFrom . raysIn
 -- /Cost/ O(n), one pass for both rays; where the direction is below 2³¹ too, in machine integers but for the
 -- comparison of the distances of sides that the line does cross.
 shootBoth :: Rays -> CornerId -> Direction -> (Hit, Hit)
-shootBoth (Rays scene coordinates) c d@(Direction dx dy) = (sight (reversed d) back, sight d front)
+shootBoth (Rays scene table) c d@(Direction dx dy) = (sight (reversed d) back, sight d front)
   where
     CornerId i = c
     n = cornerCount scene
     following s = let CornerId t = nextCorner scene (CornerId s) in t
-    (back, front) = case coordinates of
+    (back, front) = case table of
       Small xs
         | abs dx < 2 ^ (31 :: Int)
         , abs dy < 2 ^ (31 :: Int) ->
-            nearestSides n following (U.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
-        | otherwise -> nearestSides n following (toInteger . U.unsafeIndex xs) i dx dy
-      Large xs -> nearestSides n following (V.unsafeIndex xs) i dx dy
+            nearestSides machineProducts n following (U.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
+        | otherwise -> nearestSides exactProducts n following (toInteger . U.unsafeIndex xs) i dx dy
+      Large xs -> nearestSides exactProducts n following (V.unsafeIndex xs) i dx dy
+      Between xs -> nearestSides exactProducts n following (V.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
+    machineProducts a b p q = compare (toInteger a * toInteger b) (toInteger p * toInteger q)
     sight ray met
       | entersSolid scene JustThen c ray = Solid
       | otherwise = case met of
@@ -99,20 +103,25 @@ viewFrom rays@(Rays scene _) c d = case shootBoth rays c d of
 -- | The nearest side so far: its distance as a fraction, and the side, or −1 if it is crossed from the solid.
 data Nearest a = Nowhere | At !a !a !Int
 
+-- | Compares the product of the first two numbers with that of the others.
+exactProducts :: (Num a, Ord a) => a -> a -> a -> a -> Ordering
+exactProducts a b p q = compare (a * b) (p * q)
+
 -- | The nearest sides that the line through a corner crosses, backward and forward; 'Nothing' inside where such a
 -- side is crossed from the solid. A side that the line only touches at a corner is not crossed.
 --
 -- /Requires/ products of a direction and a coordinate below 2⁶¹ where the numbers are machine integers.
 nearestSides
-  :: Integral a
-  => Int
+  :: (Num a, Ord a)
+  => (a -> a -> a -> a -> Ordering)
+  -> Int
   -> (Int -> Int)
   -> (Int -> a)
   -> Int
   -> a
   -> a
   -> (Maybe (Maybe SideId), Maybe (Maybe SideId))
-nearestSides n following coordinate i dx dy = go 0 Nowhere Nowhere
+nearestSides products n following coordinate i dx dy = go 0 Nowhere Nowhere
   where
     !cx = coordinate (2 * i)
     !cy = coordinate (2 * i + 1)
@@ -142,12 +151,10 @@ nearestSides n following coordinate i dx dy = go 0 Nowhere Nowhere
         -- The solid is to the left of a side. The direction leads there where it goes to the left of the side.
         code = if fromAbove == (ahead > 0) then s else -1
         nearer Nowhere = At (abs within) (abs across) code
-        nearer old@(At p q _) = case compare (toInteger (abs within) * toInteger q) (toInteger p * far) of
+        nearer old@(At p q _) = case products (abs within) q p (abs across) of
           LT -> At (abs within) (abs across) code
           EQ | code >= 0 -> At (abs within) (abs across) code
           _ -> old
-          where
-            far = toInteger (abs across)
     found Nowhere = Nothing
     found (At _ _ s) = Just (if s < 0 then Nothing else Just (SideId s))
 {-# INLINE nearestSides #-}
@@ -156,15 +163,16 @@ nearestSides n following coordinate i dx dy = go 0 Nowhere Nowhere
 --
 -- /Cost/ O(n), in machine integers as 'shootBoth'.
 hiders :: Rays -> CornerId -> CornerId -> [CornerId]
-hiders (Rays scene coordinates) (CornerId p) (CornerId q) = map CornerId $ case coordinates of
+hiders (Rays scene table) (CornerId p) (CornerId q) = map CornerId $ case table of
   Small xs -> hidersBetween n following (U.unsafeIndex xs) p q
   Large xs -> hidersBetween n following (V.unsafeIndex xs) p q
+  Between xs -> hidersBetween n following (V.unsafeIndex xs) p q
   where
     n = cornerCount scene
     following s = let CornerId t = nextCorner scene (CornerId s) in t
 
 -- | /Requires/ two products of coordinates, added up, below 2⁶¹ where the numbers are machine integers.
-hidersBetween :: Integral a => Int -> (Int -> Int) -> (Int -> a) -> Int -> Int -> [Int]
+hidersBetween :: (Num a, Ord a) => Int -> (Int -> Int) -> (Int -> a) -> Int -> Int -> [Int]
 hidersBetween n following coordinate p q = go 0
   where
     !px = coordinate (2 * p)

@@ -47,6 +47,7 @@ module Visibility.Scene
     -- ** Their names
   , sideName
   , statedSides
+  , sideRanks
   , piecesOf
   , sideSpan
   , uncovered

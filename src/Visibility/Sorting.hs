@@ -3,6 +3,11 @@ module Visibility.Sorting
   ( -- * Sorting
     sortedBy
   , runs
+    -- * Buckets
+  , Buckets
+  , bucketsBy
+  , bucketTotal
+  , bucketOf
     -- * Two numbers in one
   , Pair
   , pairOf
@@ -12,6 +17,7 @@ module Visibility.Sorting
 
 import Control.Monad (forM_)
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
+import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 
@@ -41,6 +47,32 @@ runs part items = U.filter begins (U.enumFromN 0 (n + 1))
     n = U.length items
     begins i = i == 0 || i == n || part (items U.! (i - 1)) /= part (items U.! i)
 {-# INLINE runs #-}
+
+-- | Items by number in buckets by number: where those of each bucket begin and end, and all of them.
+data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)
+
+-- | The items by their buckets, which are numbered from 0 to just below a bound; in each one in their own order.
+--
+-- /Cost/ O(m + n) for m items and a bound n.
+--
+-- /Laws/ @bucketOf (bucketsBy n owners) g == [i | (i, o) <- zip [0 ..] (U.toList owners), o == g]@.
+bucketsBy :: Int -> U.Vector Int32 -> Buckets
+bucketsBy bound owners = Buckets starts (sortedBy bound (fromIntegral . U.unsafeIndex owners . fromIntegral) items)
+  where
+    items = U.enumFromN 0 (U.length owners)
+    starts = U.scanl' (+) 0 (U.unsafeAccumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
+
+-- | The bound.
+bucketTotal :: Buckets -> Int
+bucketTotal (Buckets starts _) = U.length starts - 1
+
+-- | The items in a bucket.
+bucketOf :: Buckets -> Int -> [Int]
+bucketOf (Buckets starts members) g = [fromIntegral (members U.! k) | k <- [from .. to - 1]]
+  where
+    from = fromIntegral (starts U.! g)
+    to = fromIntegral (starts U.! (g + 1))
+{-# INLINE bucketOf #-}
 
 -- | Two numbers from 0 to below 2^32 in one that sorts like the two.
 type Pair = Int

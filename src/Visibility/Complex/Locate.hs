@@ -19,7 +19,6 @@ module Visibility.Complex.Locate
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', scanl')
 import Data.Maybe (mapMaybe)
-import Data.Ratio (denominator, numerator, (%))
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
@@ -66,22 +65,18 @@ locator complex = Locator complex (slabs scene) (V.fromListN (n + 1) (reverse fr
 
 -- | A point on the lattice, in homogeneous integers of its own, and the number of corners before it in lexicographic
 -- order.
-data Eye = Eye !Integer !Integer !Integer !Int
+data Eye = Eye !LatticePoint !Int
 
 -- | How many corners come before a point in lexicographic order: it lies to the right of those.
 eyeRank :: Eye -> Int
-eyeRank (Eye _ _ _ k) = k
+eyeRank (Eye _ k) = k
 
 -- | A point in the file's coordinates, and the corners that are in the same place. /Cost/ O(log n).
 eyeAt :: Scene -> Point -> (Eye, [CornerId])
-eyeAt scene (Point x y) = (eye rank, here)
+eyeAt scene point = (eye rank, here)
   where
-    Point ox oy = fromLattice (sceneLattice scene) (Vector2 0 0)
-    scale = latticeScale (sceneLattice scene) % 1
-    (px, py) = ((x - ox) * scale, (y - oy) * scale)
-    w = lcm (denominator px) (denominator py)
-    whole q = numerator q * (w `quot` denominator q)
-    eye = Eye (whole px) (whole py) w
+    place = ontoLattice (sceneLattice scene) point
+    eye = Eye place
     n = cornerCount scene
     rank = search 0 n
     search low high
@@ -91,14 +86,14 @@ eyeAt scene (Point x y) = (eye rank, here)
       where
         middle = (low + high) `quot` 2
     -- Of a corner to the point.
-    comparison k = let Vector2 cx cy = cornerAt scene (CornerId k) in compare (cx % 1, cy % 1) (px, py)
+    comparison k = comparePlaces (cornerAt scene (CornerId k)) place
     here = map CornerId (takeWhile (\k -> comparison k == EQ) [rank .. n - 1])
 
 -- | From a corner to the point: a vector of the right direction, (0, 0) where they are in one place.
 eyeFrom :: Scene -> Eye -> CornerId -> Direction
-eyeFrom scene (Eye x y w _) c = Direction (x - w * cx) (y - w * cy)
+eyeFrom scene (Eye place _) c = Direction x y
   where
-    Vector2 cx cy = cornerAt scene c
+    Vector2 x y = cornerAt scene c `towards` place
 
 -- | The direction of the line through the point and a corner, right-going.
 --

@@ -35,7 +35,6 @@ module Visibility.Draw.Scenery
   ) where
 
 import qualified Data.Map.Strict as Map
-import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -103,9 +102,7 @@ frameFor foot scene further =
 
 -- | The place of a corner.
 placeOf :: Scene -> Frame -> CornerId -> Place
-placeOf scene frame c = placed frame (toRational x, toRational y)
-  where
-    Vector2 x y = cornerAt scene c
+placeOf scene frame c = placed frame (coordinates (cornerAt scene c))
 
 -- | The place of a point in the file's coordinates.
 --
@@ -115,10 +112,7 @@ placeOfPoint scene frame = placed frame . latticePlace scene
 
 -- | A point of the file on the lattice, where it may lie between the lattice's points.
 latticePlace :: Scene -> Point -> (Rational, Rational)
-latticePlace scene (Point x y) = (scale * (x - x0), scale * (y - y0))
-  where
-    Point x0 y0 = fromLattice (sceneLattice scene) (Vector2 0 0)
-    scale = latticeScale (sceneLattice scene) % 1
+latticePlace scene = coordinates . ontoLattice (sceneLattice scene)
 
 -- | Exact up to the last step, so that figures of far places are as good.
 placed :: Frame -> (Rational, Rational) -> Place

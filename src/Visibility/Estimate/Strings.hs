@@ -13,7 +13,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Estimate.Matrix
 import Visibility.Exact.DoubleDouble
-import Visibility.Exact.Point (Point (..), Vector2 (..), latticeScale)
+import Visibility.Exact.Point (Point (..), Vector2 (..), Way (..), latticeScale)
 import Visibility.FormFactor.Exact (byName)
 import Visibility.FormFactor.Terms
 import Visibility.Scene
@@ -66,7 +66,7 @@ displacement scene terms slot = (x' - x, y' - y)
     rounded c = let Point u v = cornerPoint scene (CornerId c) in (fromRational u, fromRational v)
 
 spanOf :: Scene -> SideName -> (Double, Double)
-spanOf scene side = (fromRational (x % scale), fromRational (y % scale))
+spanOf scene side = (fromRational (x % (scale * w)), fromRational (y % (scale * w)))
   where
-    Vector2 x y = sideSpan scene side
+    Way (Vector2 x y) w = sideSpan scene side
     scale = latticeScale (sceneLattice scene)

@@ -1,24 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Exact coordinates of the corners of a scene, on one integer lattice.
+-- | The corners of a scene with the arithmetic that decides about them.
 --
--- Rational coordinates are multiplied by one common denominator and moved so that the lower left corner of the bounding
--- box is (0, 0). Nothing is rounded. Where the extent of the lattice proves that determinants fit, the corners are also
--- kept as machine integers; otherwise as Doubles with a bound on each one's error, for the filter of
--- "Visibility.Exact.Predicate".
+-- Where the extent of the lattice proves that determinants fit, decisions are made in machine integers; otherwise in
+-- Doubles with a bound on each one's error, for the filter of "Visibility.Exact.Predicate".
 module Visibility.Exact.Point
-  ( -- * Points at the border
-    Point (..)
-    -- * The lattice
-  , Lattice (..)
-  , latticeFor
-  , latticeScale
-  , ontoLattice
-  , fromLattice
-  , Vector2 (..)
-  , difference
-    -- * Corners with their arithmetic
-  , Arithmetic (..)
+  ( -- * Corners with their arithmetic
+    Arithmetic (..)
   , Points
   , Kernel (..)
   , pointsOn
@@ -26,58 +14,18 @@ module Visibility.Exact.Point
   , tallied
   , pointAt
   , pointsKernel
+  , pointPlaces
+    -- * Where they are
+  , module Visibility.Exact.Lattice
   ) where
 
-import Data.Bits (shiftL)
 import Data.Int (Int32)
-import Data.List (foldl')
-import Data.Ratio (denominator, numerator, (%))
+import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
+import Visibility.Exact.Lattice
 import Visibility.Exact.Tally (Tally)
-
--- | A point of the plane with exact coordinates, in the units of the file.
-data Point = Point !Rational !Rational
-  deriving (Eq, Ord, Show)
-
--- | A point or a displacement of the lattice.
-data Vector2 = Vector2 !Integer !Integer
-  deriving (Eq, Ord, Show)
-
--- | @difference a b@ is the displacement from a to b.
-difference :: Vector2 -> Vector2 -> Vector2
-difference (Vector2 ax ay) (Vector2 bx by) = Vector2 (bx - ax) (by - ay)
-
--- | A common denominator and the lattice's origin. A file's point (x, y) is (scale·x, scale·y) − origin on the lattice.
-data Lattice = Lattice !Integer !Vector2
-  deriving (Eq, Show)
-
--- | The coarsest lattice of this kind that holds all points, its origin at the lower left of their bounding box.
---
--- /Cost/ O(n) multiplications of the coordinates' size.
-latticeFor :: [Point] -> Lattice
-latticeFor [] = Lattice 1 (Vector2 0 0)
-latticeFor points@(Point x0 y0 : _) = Lattice scale (Vector2 (scaled (least fst x0)) (scaled (least snd y0)))
-  where
-    scale = foldl' (\acc (Point x y) -> acc `lcm` denominator x `lcm` denominator y) 1 points
-    least part start = foldl' (\acc (Point x y) -> min acc (part (x, y))) start points
-    scaled x = numerator (x * (scale % 1))
-
--- | Lattice units per unit of the file, at least 1.
-latticeScale :: Lattice -> Integer
-latticeScale (Lattice scale _) = scale
-
--- | /Requires/ a point among those the lattice was made for; other points may fall between lattice points and are
--- rounded down, so they must not be asked for.
-ontoLattice :: Lattice -> Point -> Vector2
-ontoLattice (Lattice scale (Vector2 ox oy)) (Point x y) = Vector2 (whole x - ox) (whole y - oy)
-  where
-    whole q = numerator q * (scale `div` denominator q)
-
--- | /Law/ @fromLattice l (ontoLattice l p) == p@.
-fromLattice :: Lattice -> Vector2 -> Point
-fromLattice (Lattice scale (Vector2 ox oy)) (Vector2 x y) = Point ((x + ox) % scale) ((y + oy) % scale)
 
 -- | How signs are decided.
 data Arithmetic
@@ -109,20 +57,18 @@ data Kernel
 
 -- | Corners by index, with the arithmetic that decides about them.
 data Points = Points
-  { exactPoints :: !(V.Vector Vector2)
+  { pointPlaces :: !Places
+  -- ^ Exactly where they are.
   , pointsKernel :: !Kernel
   }
 
--- | /Requires/ coordinates of a lattice, that is, none negative. /Cost/ O(n).
-pointsOn :: Arithmetic -> [Vector2] -> Points
-pointsOn arithmetic = fromVector arithmetic . V.fromList
-
-fromVector :: Arithmetic -> V.Vector Vector2 -> Points
-fromVector arithmetic exact = Points exact (kernelFor arithmetic exact)
+-- | /Requires/ places of a lattice, that is, no coordinate negative. /Cost/ O(n).
+pointsOn :: Arithmetic -> Places -> Points
+pointsOn arithmetic places = Points places (kernelFor arithmetic places)
 
 -- | The same corners, decided about in another way.
 withArithmetic :: Arithmetic -> Points -> Points
-withArithmetic arithmetic = fromVector arithmetic . exactPoints
+withArithmetic arithmetic = pointsOn arithmetic . pointPlaces
 
 -- | The same corners, the signs that their filter decides being counted; 'Nothing' where no filter decides.
 --
@@ -136,47 +82,50 @@ tallied tally points = case pointsKernel points of
   DoubleKernel _ -> Nothing
   RationalKernel _ -> Nothing
 
--- | The exact lattice coordinates of a corner. /Requires/ an index below the number of corners.
-pointAt :: Points -> Int -> Vector2
-pointAt points i = exactPoints points V.! i
+-- | Exactly where a corner is on the lattice. /Requires/ an index below the number of corners.
+pointAt :: Points -> Int -> LatticePoint
+pointAt = placeAt . pointPlaces
 {-# INLINE pointAt #-}
 
-kernelFor :: Arithmetic -> V.Vector Vector2 -> Kernel
-kernelFor Exact _ = IntegerKernel
-kernelFor RationalBaseline exact = RationalKernel (V.map (\(Vector2 x y) -> Point (fromInteger x) (fromInteger y)) exact)
-kernelFor UnsafeDouble exact = DoubleKernel (U.fromList (concatMap both (V.toList exact)))
+kernelFor :: Arithmetic -> Places -> Kernel
+kernelFor arithmetic places = case arithmetic of
+  Exact -> IntegerKernel
+  RationalBaseline -> RationalKernel (V.fromList [let (x, y) = coordinates p in Point x y | p <- placeList places])
+  UnsafeDouble ->
+    DoubleKernel (U.fromList (concat [[scaledDouble k x w, scaledDouble k y w] | LatticePoint x y w <- placeList places]))
+  Filtered -> case places of
+    SmallPlaces xs -> MachineKernel xs
+    LargePlaces points -> FilterKernel (U.fromList (concatMap bounded (V.toList points)))
   where
-    both (Vector2 x y) = [scaledDouble k x, scaledDouble k y]
-    k = binaryOrder exact
-kernelFor Filtered exact
-  | extent < 1 `shiftL` 31 = MachineKernel (U.fromList (concatMap machine (V.toList exact)))
-  | otherwise = FilterKernel (U.fromList (concatMap bounded (V.toList exact)))
+    k = max orderX orderY
+    orderX = binaryOrder [(x, w) | LatticePoint x _ w <- placeList places]
+    orderY = binaryOrder [(y, w) | LatticePoint _ y w <- placeList places]
+    bounded (LatticePoint x y w) =
+      let !dx = scaledDouble orderX x w
+          !dy = scaledDouble orderY y w
+       in [dx, dy, errorBound orderX x w dx, errorBound orderY y w dy]
+
+-- | A k with all x/w below 2^k, and the least such for integers. It may be negative.
+binaryOrder :: [(Integer, Integer)] -> Int
+binaryOrder = maximum . (minBound `div` 2 :) . map order
   where
-    extent = extentOf exact
-    orderX = bitLength (V.foldl' (\acc (Vector2 x _) -> max acc x) 0 exact)
-    orderY = bitLength (V.foldl' (\acc (Vector2 _ y) -> max acc y) 0 exact)
-    machine (Vector2 x y) = [fromInteger x, fromInteger y]
-    bounded (Vector2 x y) =
-      let !dx = scaledDouble orderX x
-          !dy = scaledDouble orderY y
-       in [dx, dy, errorBound orderX x dx, errorBound orderY y dy]
+    order (0, _) = minBound `div` 2
+    order (x, w) = bitLength x - bitLength w + 1
 
--- | The largest coordinate.
-extentOf :: V.Vector Vector2 -> Integer
-extentOf = V.foldl' (\acc (Vector2 x y) -> acc `max` x `max` y) 0
+-- | x/w·2^−k, rounded to nearest; 0 ≤ x/w < 2^k.
+scaledDouble :: Int -> Integer -> Integer -> Double
+scaledDouble k x w = fromRational (scaledExactly k x w)
 
--- | The least k with all coordinates below 2^k.
-binaryOrder :: V.Vector Vector2 -> Int
-binaryOrder = bitLength . extentOf
+scaledExactly :: Int -> Integer -> Integer -> Rational
+scaledExactly _ 0 _ = 0
+scaledExactly k x w
+  | k >= 0 = x % (w * 2 ^ k)
+  | otherwise = (x * 2 ^ negate k) % w
 
--- | x·2^−k, rounded to nearest; 0 ≤ x < 2^k.
-scaledDouble :: Int -> Integer -> Double
-scaledDouble k x = fromRational (x % (1 `shiftL` k))
-
--- | A bound on |x·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers the
+-- | A bound on |x/w·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers the
 -- relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070 whatever
 -- is lost below the normal range.
-errorBound :: Int -> Integer -> Double -> Double
-errorBound k x d
-  | toRational d == x % (1 `shiftL` k) = 0
+errorBound :: Int -> Integer -> Integer -> Double -> Double
+errorBound k x w d
+  | toRational d == scaledExactly k x w = 0
   | otherwise = d * encodeFloat 1 (-53) * (1 + encodeFloat 1 (-50)) + encodeFloat 1 (-1070)

@@ -156,7 +156,7 @@ mayDiffer a b c d = a /= b && c /= d && (a /= c || b /= d) && (a /= d || b /= c)
 integerTurn :: Points -> Int -> Int -> Int -> Int -> Turn
 integerTurn points a b c d = directionTurn (along a b) (along c d)
   where
-    along i j = let Vector2 x y = difference (pointAt points i) (pointAt points j) in Direction x y
+    along = direction points
 
 {-# NOINLINE integerTurn #-}
 
@@ -191,7 +191,7 @@ data Direction = Direction !Integer !Integer
 direction :: Points -> Int -> Int -> Direction
 direction points a b = Direction x y
   where
-    Vector2 x y = difference (pointAt points a) (pointAt points b)
+    Vector2 x y = towards (pointAt points a) (pointAt points b)
 
 -- | 'LeftTurn' when the second direction is reached from the first by turning left by less than 180°.
 -- 'Collinear' for parallel directions, equal or opposed.

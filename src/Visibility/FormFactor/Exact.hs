@@ -22,6 +22,7 @@ module Visibility.FormFactor.Exact
   , groupSums
   ) where
 
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import qualified Data.Vector as V
@@ -85,20 +86,26 @@ exactSums scene terms groups =
 
 -- | The measure of a group, in the file's units, terms merged.
 groupSums :: Scene -> Terms -> Groups -> Int -> RootSum
-groupSums scene terms groups = RootSum.mergedSum (latticeScale (sceneLattice scene)) . groupTerms weigh [] groups
+groupSums scene terms groups g = RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
   where
-    weigh sums slot k = let (root, position) = roots V.! slot in (toInteger k * position, root) : sums
+    scale = latticeScale (sceneLattice scene)
+    found = groupTerms weigh [] groups g
+    common = foldl' (\sofar (_, w, _) -> if w == 1 then sofar else lcm sofar w) 1 found
+    weigh sums slot k = let Distance n w root = roots V.! slot in (toInteger k * n, w, root) : sums
     -- Made when they are first needed, and once.
     roots = V.generate (slotCount terms) (rootAlong scene . slotEnds terms)
 
--- | The length of the primitive lattice vector along the line of a vertex, and the distance of a slot in such lengths: t
--- is an integer multiple of one root.
-rootAlong :: Scene -> (Int, Int, Int) -> (RootSum.PreparedRoot, Integer)
-rootAlong scene (a, b, c) = (RootSum.preparedRoot (px * px + py * py), if px == 0 then y `quot` py else x `quot` px)
+-- | A distance on the lattice: a multiple of a root, the factor a fraction.
+data Distance = Distance !Integer !Integer !RootSum.PreparedRoot
+
+-- | The distance of a slot in lengths of the primitive lattice vector along the line of its vertex: between whole points
+-- t is an integer multiple of one root.
+rootAlong :: Scene -> (Int, Int, Int) -> Distance
+rootAlong scene (a, b, c) = Distance (if px == 0 then y `quot` py else x `quot` px) w (RootSum.preparedRoot (px * px + py * py))
   where
-    from i = difference (cornerAt scene (CornerId a)) (cornerAt scene (CornerId i))
-    Vector2 x y = from b
-    Vector2 dx dy = from c
+    from i = cornerAt scene (CornerId a) `way` cornerAt scene (CornerId i)
+    Way (Vector2 x y) w = from b
+    Way (Vector2 dx dy) _ = from c
     divisor = gcd dx dy
     (px, py) = (dx `quot` divisor, dy `quot` divisor)
 
@@ -112,10 +119,7 @@ seenByRank scene = V.fromList (map TheSide (statedSides scene) <> [TheSky])
 
 -- | By object: the rank of the side of the file that it is, or is a piece of; the sky last.
 ranks :: Scene -> U.Vector Int
-ranks scene = U.fromList (map rank (sides scene) <> [Map.size byRank])
-  where
-    byRank = Map.fromDistinctAscList (zip (statedSides scene) [0 ..])
-    rank s = Map.findWithDefault (Map.size byRank) (sideName scene s) byRank
+ranks scene = U.snoc (U.map fromIntegral (sideRanks scene)) (length (statedSides scene))
 
 -- | A form factor that is not exactly zero.
 data FormFactor = FormFactor
@@ -160,9 +164,9 @@ formFactor scene s = \t total -> FormFactor s t total $ case twice of
 
 -- | The length of a side in the file's units, a single root. /Requires/ the name of a side.
 sideLength :: Scene -> SideName -> RootSum
-sideLength scene s = RootSum.hypotenuse (1 % latticeScale (sceneLattice scene)) dx dy
+sideLength scene s = RootSum.hypotenuse (1 % (latticeScale (sceneLattice scene) * w)) dx dy
   where
-    Vector2 dx dy = sideSpan scene s
+    Way (Vector2 dx dy) w = sideSpan scene s
 
 -- | What a side lacks to closure: Σ_t A(s, t) − 2 u L_s for all sides by name, u being the part of it that nothing
 -- covers. Each is exactly zero.

@@ -63,13 +63,14 @@ nearestFactors scene (Measures terms) = [row r name | (r, TheSide name) <- zip [
     exactSum = groupSums scene terms groups
 
     distances = lengthsOf (slotCount terms) $ \slot ->
-      let (a, b, _) = slotEnds terms slot in lengthOf (difference (cornerAt scene (CornerId a)) (cornerAt scene (CornerId b)))
+      let (a, b, _) = slotEnds terms slot in lengthOf (way (cornerAt scene (CornerId a)) (cornerAt scene (CornerId b)))
     sideLengths = lengthsOf (V.length spans) (lengthOf . (spans V.!))
     spans = V.fromList (map (sideSpan scene) (statedSides scene))
     -- All coordinates are below 2^reach.
-    reach = maximum (0 : map size (V.toList spans <> map (cornerAt scene) (corners scene)))
-    size (Vector2 x y) = max (bitLength x) (bitLength y)
-    lengthOf (Vector2 x y)
+    reach = maximum (0 : map size (V.toList spans) <> [max (bitLength x) (bitLength y) | LatticePoint x y _ <- map (cornerAt scene) (corners scene)])
+    size (Way (Vector2 x y) _) = max (bitLength x) (bitLength y)
+    lengthOf (Way (Vector2 x y) w)
+      | w /= 1 = Double2 (0 / 0) (0 / 0)
       | reach <= 31 = machineLength (fromInteger x) (fromInteger y)
       | otherwise = scaledLength reach x y
 

@@ -13,16 +13,16 @@ module Visibility.Scene.Boundary
   , Overlap (..)
   , overlaps
     -- * The boundary
-  , FreeCorner (..)
+  , Boundary (..)
   , freeCorners
   ) where
 
-import Data.List (sortBy, sortOn)
-import qualified Data.IntMap.Strict as IntMap
-import qualified Data.Map.Strict as Map
 import Data.Function (on)
+import Data.Int (Int32)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (sortBy, sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
-import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
@@ -33,6 +33,7 @@ import Visibility.Scene.Contact
 import Visibility.Scene.Id
 import Visibility.Scene.Outline
 import Visibility.Scene.Raw (Form (..))
+import Visibility.Sorting
 
 -- | A meeting of boundaries, by the indices of corners and of the corners that start segments.
 data Contact
@@ -65,8 +66,8 @@ contacts o flat = foldOverlaps collect [] (boxTree (map (segmentBox r . segmentF
         s' = ends U.! i
         t = table U.! j
         t' = ends U.! j
-        p = outlineOwner o U.! s
-        q = outlineOwner o U.! t
+        p = ownerOf o s
+        q = ownerOf o t
     meetings s t how = case how of
       Apart -> []
       Crossing -> [Cross s t]
@@ -138,14 +139,14 @@ limbs o x (here, passing) = (x, concatMap atCorner here <> concatMap onSegment p
       Ring -> let (to, from) = solidLeft o p (around o 1 i) (around o (-1) i) in [Arc p to from]
       Polyline -> [Ray p (around o 1 i) | i /= last'] <> [Ray p (around o (-1) i) | i /= first]
       where
-        p = outlineOwner o U.! i
+        p = ownerOf o i
         first = outlineFirst o U.! p
         last' = outlineFirst o U.! (p + 1) - 1
     onSegment s = case outlineForms o V.! p of
       Ring -> let (to, from) = solidLeft o p (around o 1 s) s in [Arc p to from]
       Polyline -> [Ray p s, Ray p (around o 1 s)]
       where
-        p = outlineOwner o U.! s
+        p = ownerOf o s
 
 -- | Two corners that follow each other at a place of a ring's boundary in the file's order, exchanged if that order has
 -- the solid on the right.
@@ -179,83 +180,92 @@ insideArc o x (a, b) c = case to a b of
   where
     to = turn (rankedPoints (outlineRanked o)) x
 
--- | A corner of the boundary of free space, in the place of stated corners: where the face of a side, or what is not
--- covered of it, begins if free space is kept on the right.
-data FreeCorner = FreeCorner
-  { freePlace :: !Int
-  -- ^ A stated corner in its place.
-  , freeNumber :: !Int
-  -- ^ The number of its place among all places with corners, in lexicographic order.
-  , freeName :: !CornerName
+-- | The corners of the boundary of free space, in the places of stated corners: where the face of a side, or what is not
+-- covered of it, begins if free space is kept on the right. In the order of places; in one place by name, and then by
+-- side.
+data Boundary = Boundary
+  { statedNumbers :: !(U.Vector Int32)
+  -- ^ By stated corner: the number of its place among all places with corners, in lexicographic order.
+  , freePlaces :: !(U.Vector Int32)
+  -- ^ By corner of the boundary: a stated corner in its place.
+  , freeNames :: !(U.Vector Int32)
   -- ^ The first of the stated corners in its place that belong to a polygon on one of its flanks.
-  , freeSide :: !SideName
-  -- ^ The side that begins there.
-  , freeNext :: !Int
-  -- ^ The corner where that ends, by its place in the list.
+  , freeSides :: !(U.Vector Int32)
+  -- ^ The number of the side that begins there.
+  , freeNexts :: !(U.Vector Int32)
+  -- ^ The corner where that ends.
   }
 
--- | A face of a side, or an uncovered piece of it: from one place to another, free space on its right. Places are given
--- by stated corners.
-data Face = Face !Int !Int !SideName
+-- | A face of a side, or an uncovered piece of it: from one place to another, free space on its right, with the number of
+-- the side. Places are given by stated corners.
+type Face = (Int32, Int32, Int32)
 
--- | All corners of the boundary, by place in lexicographic order; in one place by name, and then by side.
+-- | All corners of the boundary.
 --
 -- /Degenerate cases/ a stated corner that is all covered has none, one in several cones of free space has several.
 -- Where all of a room is filled, there are none.
 --
 -- /Requires/ a valid scene, and its contacts. /Cost/ O(n log n), and at each place of contact quadratic in the number
 -- of sides there.
-freeCorners :: Outline -> [Contact] -> [FreeCorner]
+freeCorners :: Outline -> [Contact] -> Boundary
 freeCorners o found =
-  [ FreeCorner from (placeId U.! from) name side (ranks U.! (followers U.! f))
-  | (name, f) <- ordered
-  , let Face from _ side = faces V.! f
-  ]
+  Boundary
+    { statedNumbers = places
+    , freePlaces = U.map (U.unsafeIndex froms) ordered
+    , freeNames = U.map (fromIntegral . nameOf) ordered
+    , freeSides = U.map (U.unsafeIndex sides) ordered
+    , freeNexts = U.map (U.unsafeIndex newNumbers . U.unsafeIndex followers) ordered
+    }
   where
-    -- The faces by where they begin, place by place and by name in each, with the names of the corners there.
-    ordered = concatMap (inNameOrder . map named') (V.toList starting)
+    faces = U.fromList (exposed o found)
+    (froms, tos, sides) = U.unzip3 faces
+    total = U.length faces
+    places = placeNumbers o
+    placeTotal = if U.null places then 0 else 1 + fromIntegral (U.maximum places)
+    placeOfCorner i = fromIntegral (places U.! i)
+    -- By place: the faces that begin there.
+    starting = bucketsBy placeTotal (U.map (U.unsafeIndex places . fromIntegral) froms)
+    named = bucketsBy placeTotal places
+    from, to :: Int -> Int
+    from f = fromIntegral (froms U.! f)
+    to f = fromIntegral (tos U.! f)
+    -- The faces by where they begin, place by place and by name in each.
+    ordered = U.fromListN total (concatMap (inNameOrder . bucketOf starting) [0 .. placeTotal - 1])
+    newNumbers = U.update_ (U.replicate total 0) ordered (U.enumFromN 0 total) :: U.Vector Int32
     inNameOrder fs@[_] = fs
-    inNameOrder fs = sortOn (\(name, f) -> let Face _ _ side = faces V.! f in (name, side)) fs
-    named' f = (nameAt from [side, arriving], f)
-      where
-        Face from _ side = faces V.! f
-        Face _ _ arriving = faces V.! (leaders U.! f)
-    ranks = U.replicate (V.length faces) 0 U.// zip (map snd ordered) [0 ..]
-    faces = V.fromList (exposed o found)
-    placeId = placeIds o
-    -- By place: the faces that begin there, in the order of their angles if there are several.
-    starting = V.map inOrder (byPlace [(placeId U.! from, f) | (f, Face from _ _) <- V.toList (V.indexed faces)])
-    byPlace :: [(Int, a)] -> V.Vector [a]
-    byPlace = V.accumulate (flip (:)) (V.replicate (U.length placeId) []) . V.fromList
-    inOrder [] = []
-    inOrder fs@[_] = fs
-    inOrder fs = sortBy (byAngle `on` (\f -> let Face from to _ = faces V.! f in (from, to))) fs
+    inNameOrder fs = sortOn (\f -> (nameOf f, sides U.! f)) fs
+    inAngleOrder fs@[_] = fs
+    inAngleOrder fs = sortBy (byAngle `on` (\f -> (from f, to f))) fs
     byAngle = angleOrder o
     -- The next face counter-clockwise from the one that arrives: between them is a cone of free space. One that leads
     -- back the same way comes last, after a full turn.
-    follower f = fromMaybe f (listToMaybe (filter later here <> here))
+    follower f = case inAngleOrder (bucketOf starting (placeOfCorner (to f))) of
+      [g] -> g
+      here -> fromMaybe f (listToMaybe (filter later here <> here))
       where
-        Face from to _ = faces V.! f
-        here = starting V.! (placeId U.! to)
-        later g = let Face _ away _ = faces V.! g in byAngle (to, from) (to, away) == LT
-    followers = U.generate (V.length faces) follower
-    leaders = U.replicate (V.length faces) 0 U.// zip (U.toList followers) [0 ..]
-    named = byPlace [(placeId U.! i, cornerNameOf o i) | i <- concatMap (cornersOf o) (polygonIndices o)]
-    nameAt x flanks = case filter (`ownedBy` flanks) names of
-      [] -> minimum (cornerNameOf o x : names)
-      own -> minimum own
-      where
-        names = named V.! (placeId U.! x)
-    ownedBy (CornerName p _) flanks = p `elem` [q | SideName q _ <- flanks]
+        later g = byAngle (to f, from f) (to f, to g) == LT
+    followers = U.generate total follower
+    leaders = U.update_ (U.replicate total 0) followers (U.enumFromN 0 total)
+    -- Of a face, the corner that names where it begins.
+    nameOf f = case bucketOf named (placeOfCorner (from f)) of
+      [only] -> only
+      names -> case filter (`isOnFlankOf` f) names of
+        [] -> minimum names
+        own -> minimum own
+    isOnFlankOf i f = any ((== ownerOf o i) . fromIntegral . sideOwner) [f, leaders U.! f]
+    sideOwner f = sideOwners U.! fromIntegral (sides U.! f)
+    sideOwners = ownersFrom (sideFirsts o)
 
--- | Places by number, in lexicographic order.
-placeIds :: Outline -> U.Vector Int
-placeIds o = U.replicate total 0 U.// zip (U.toList order) (U.toList numbers)
+-- | The places of stated corners by number, in lexicographic order.
+placeNumbers :: Outline -> U.Vector Int32
+placeNumbers o = U.update_ (U.replicate total 0) order numbers
   where
-    total = V.length (outlinePoints o)
-    order = U.modify (Intro.sortBy (comparing (placeOf o))) (U.enumFromN 0 total)
+    r = outlineRanked o
+    total = cornerTotal r
+    order = U.modify (Intro.sortBy earlier) (U.enumFromN 0 total)
+    earlier a b = compare (column r a) (column r b) <> compare (row r a) (row r b)
     numbers = U.take total (U.scanl' (+) 0 (U.zipWith step order (U.drop 1 order)))
-    step i j = if placeOf o i == placeOf o j then 0 else 1
+    step i j = if samePlace r i j then 0 else 1
 
 -- | The order of directions from a place, each given by the place and another one: counter-clockwise, from the one that
 -- leads down, and from there on to the right.
@@ -268,49 +278,54 @@ angleOrder o (x, a) (_, b) = compare (half a) (half b) <> byTurn
       Collinear -> EQ
       RightTurn -> GT
 
--- | What lies along a piece between two places, the first the lesser one.
+-- | What lies along a piece between two places, the first the lesser one. Sides by number.
 data Occupant
   = -- | A side of a ring with its solid to the left of the way from the lesser place.
-    SolidLeft !SideName
-  | SolidRight !SideName
+    SolidLeft !Int
+  | SolidRight !Int
   | -- | A thin wall with its left and its right face.
-    Wall !SideName !SideName
+    Wall !Int !Int
 
 -- | The faces of sides that are not covered, cut where something touches them.
 exposed :: Outline -> [Contact] -> [Face]
 exposed o found
-  | null found = concatMap (faces . pure) pieces
-  | otherwise = concatMap faces (Map.elems together)
+  | null found = concat [facesOf [piece] | p <- polygonIndices o, piece <- piecesOf p]
+  | otherwise = concatMap facesOf (Map.elems together)
   where
     cuts = IntMap.fromListWith (<>) [(s, [i]) | OnSegment i s <- found]
     -- What lies along one piece; each is alone where nothing meets.
-    together = Map.fromListWith (<>) [((placeOf o low, placeOf o high), [piece]) | piece@(low, high, _) <- pieces]
-    pieces =
+    together =
+      Map.fromListWith (<>) [((placeOf o low, placeOf o high), [piece]) | piece@(low, high, _) <- concatMap piecesOf (polygonIndices o)]
+    piecesOf p =
       [ (low, high, occupant)
-      | p <- polygonIndices o
-      , s <- segmentStarts o p
+      | s <- segmentStarts o p
       , let t = around o 1 s
       , let onwards = placeOf o s < placeOf o t
-      , let occupant = occupantOf p s onwards
+      , let occupant = occupantOf s onwards
       , let between = case IntMap.lookup s cuts of
               Nothing -> if onwards then [s, t] else [t, s]
               Just corners -> sortOn (placeOf o) (s : t : corners)
       , (low, high) <- zip between (drop 1 between)
       , placeOf o low /= placeOf o high
       ]
-    flanks = V.generate (V.length (outlineIds o)) (solidFlank o)
-    occupantOf p s onwards = case outlineForms o V.! p of
-      Polyline
-        | onwards -> Wall (backSideOf o s) (sideNameOf o s)
-        | otherwise -> Wall (sideNameOf o s) (backSideOf o s)
-      Ring
-        | (flanks V.! p == LeftTurn) == onwards -> SolidLeft (sideNameOf o s)
-        | otherwise -> SolidRight (sideNameOf o s)
-    faces [] = []
-    faces occupants@((low, high, _) : _) =
-      [Face high low face | null leftSolids, face <- take 1 (map fst walls <> rightSolids)]
-        <> [Face low high face | null rightSolids, face <- take 1 (map snd walls <> leftSolids)]
+      where
+        flank = solidFlank o p
+        occupantOf s onwards = case outlineForms o V.! p of
+          Polyline
+            | onwards -> Wall (back s) (front s)
+            | otherwise -> Wall (front s) (back s)
+          Ring
+            | (flank == LeftTurn) == onwards -> SolidLeft (front s)
+            | otherwise -> SolidRight (front s)
+    firsts = sideFirsts o
+    front = sideNumberOf o firsts
+    back = backSideNumberOf o firsts
+    facesOf [] = []
+    facesOf occupants@((low, high, _) : _) =
+      [face high low side | null leftSolids, side <- take 1 (map fst walls <> rightSolids)]
+        <> [face low high side | null rightSolids, side <- take 1 (map snd walls <> leftSolids)]
       where
         leftSolids = [side | (_, _, SolidLeft side) <- occupants]
         rightSolids = [side | (_, _, SolidRight side) <- occupants]
         walls = [(left, right) | (_, _, Wall left right) <- occupants]
+    face a b side = (fromIntegral a, fromIntegral b, fromIntegral side)

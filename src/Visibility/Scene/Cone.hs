@@ -39,7 +39,7 @@ entersSolid scene moment c ray
 heading :: Scene -> CornerId -> CornerId -> Direction
 heading scene a b = Direction x y
   where
-    Vector2 x y = difference (cornerAt scene a) (cornerAt scene b)
+    Vector2 x y = towards (cornerAt scene a) (cornerAt scene b)
 
 -- | Do two parallel directions lead the same way?
 sameWay :: Direction -> Direction -> Bool

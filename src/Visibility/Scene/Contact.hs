@@ -2,6 +2,9 @@
 module Visibility.Scene.Contact
   ( -- * Corners with their ranks
     Ranked (..)
+  , cornerTotal
+  , column
+  , row
   , ranked
   , samePlace
     -- * Segments
@@ -14,6 +17,7 @@ module Visibility.Scene.Contact
   , isBelow
   ) where
 
+import Data.Int (Int32)
 import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
@@ -24,27 +28,40 @@ import Visibility.Scene.Boxes (Box (..))
 -- | Corners by index, with the ranks of their coordinates: a comparison of ranks is a comparison of coordinates.
 data Ranked = Ranked
   { rankedPoints :: !Points
-  , column :: !(U.Vector Int)
-  , row :: !(U.Vector Int)
+  , rankTable :: !(U.Vector Int32)
+  -- ^ Ranks of x and y of corner i at 2i and 2i+1. Small coordinates are their own ranks.
   }
 
--- | /Requires/ coordinates of a lattice. /Cost/ O(n log n).
-ranked :: [Vector2] -> Ranked
-ranked places =
-  Ranked (pointsOn Filtered places) (ranks [x | Vector2 x _ <- places]) (ranks [y | Vector2 _ y <- places])
+-- | /Requires/ places of a lattice. /Cost/ O(n log n).
+ranked :: Places -> Ranked
+ranked places = Ranked (pointsOn Filtered places) $ case places of
+  SmallPlaces xs -> xs
+  LargePlaces points -> interleaved (ranks (V.map (fst . coordinates) points)) (ranks (V.map (snd . coordinates) points))
+  where
+    interleaved xs ys = U.generate (2 * U.length xs) (\k -> (if even k then xs else ys) U.! (k `quot` 2))
+
+-- | The number of corners.
+cornerTotal :: Ranked -> Int
+cornerTotal r = U.length (rankTable r) `quot` 2
+
+-- | Equal columns are equal x, lesser ones lesser x.
+column, row :: Ranked -> Int -> Int
+column r i = fromIntegral (rankTable r U.! (2 * i))
+row r i = fromIntegral (rankTable r U.! (2 * i + 1))
+{-# INLINE column #-}
+{-# INLINE row #-}
 
 -- Equal numbers have equal ranks.
-ranks :: [Integer] -> U.Vector Int
-ranks numbers = U.replicate (V.length table) 0 U.// zip (V.toList sorted) (V.toList dense)
+ranks :: V.Vector Rational -> U.Vector Int32
+ranks table = U.update_ (U.replicate (V.length table) 0) sorted dense
   where
-    table = V.fromList numbers
-    sorted = V.modify (Intro.sortBy (\i j -> compare (table V.! i) (table V.! j))) (V.enumFromN 0 (V.length table))
-    steps = V.zipWith (\i j -> if table V.! i == table V.! j then 0 else 1) sorted (V.drop 1 sorted)
-    dense = V.take (V.length table) (V.scanl' (+) (0 :: Int) steps)
+    sorted = U.modify (Intro.sortBy (\i j -> compare (table V.! i) (table V.! j))) (U.enumFromN 0 (V.length table))
+    steps = U.zipWith (\i j -> if table V.! i == table V.! j then 0 else 1) sorted (U.drop 1 sorted)
+    dense = U.take (V.length table) (U.scanl' (+) 0 steps)
 
 -- | Are two corners in one place?
 samePlace :: Ranked -> Int -> Int -> Bool
-samePlace r a b = column r U.! a == column r U.! b && row r U.! a == row r U.! b
+samePlace r a b = column r a == column r b && row r a == row r b
 {-# INLINE samePlace #-}
 
 -- | A closed segment between two corners, which may be in one place.
@@ -55,10 +72,10 @@ data Segment = Segment !Int !Int
 segmentBox :: Ranked -> Segment -> Box
 segmentBox r (Segment a b) = Box (min x x') (max x x') (min y y') (max y y')
   where
-    x = column r U.! a
-    x' = column r U.! b
-    y = row r U.! a
-    y' = row r U.! b
+    x = column r a
+    x' = column r b
+    y = row r a
+    y' = row r b
 
 -- | How two segments meet.
 data Meeting
@@ -106,7 +123,7 @@ meeting r (Segment a b) (Segment c d)
 isBetween :: Ranked -> Int -> Int -> Int -> Bool
 isBetween r a b c = min (place a) (place b) < place c && place c < max (place a) (place b)
   where
-    place i = (column r U.! i, row r U.! i)
+    place i = (column r i, row r i)
 
 -- | Does the vertical ray upwards from a corner hit a segment? A segment holds its left end, not its right end.
 --
@@ -118,4 +135,4 @@ isBelow r c (Segment a b)
   | otherwise = turn points b a c == RightTurn
   where
     points = rankedPoints r
-    leftOf i = column r U.! i <= column r U.! c
+    leftOf i = column r i <= column r c

@@ -5,13 +5,13 @@ module Visibility.Scene.Disjoint
   , boundaries
   ) where
 
+import Control.Monad (forM_)
 import Data.Foldable (toList)
-import Data.Ord (comparing)
 import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
-import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Scene.Contact
 
@@ -45,25 +45,27 @@ data Boundaries = Disjoint | Meet
 -- /Source/ Shamos and Hoey, Geometric intersection problems, 1976.
 boundaries :: Ranked -> [Segment] -> Boundaries
 boundaries r segments
-  | or (zipWith (samePlace r) order (drop 1 order)) = Meet
-  | otherwise = sweep order Seq.empty
+  | or [samePlace r (order U.! (k - 1)) (order U.! k) | k <- [1 .. U.length order - 1]] = Meet
+  | otherwise = sweep 0 Seq.empty
   where
-    place i = (column r U.! i, row r U.! i)
-    directed = [if place a < place b then s else Segment b a | s@(Segment a b) <- segments]
-    incident = V.accumulate (flip (:)) (V.replicate (U.length (column r)) []) (V.fromList ends)
-    ends = [(c, s) | s@(Segment a b) <- directed, c <- [a, b]]
-    order = U.toList (U.modify (Intro.sortBy (comparing place)) (U.filter used (U.enumFromN 0 (V.length incident))))
-    used c = not (null (incident V.! c))
+    -- The other ends of the segments at each corner, two at most, or −1.
+    others = otherEnds (cornerTotal r) segments
+    atCorner c = [d | k <- [2 * c, 2 * c + 1], let d = others U.! k, d >= 0]
+    order = U.modify (Intro.sortBy earlier) (U.filter used (U.enumFromN 0 (cornerTotal r)))
+    used c = others U.! (2 * c) >= 0
+    earlier a b = compare (column r a) (column r b) <> compare (row r a) (row r b)
+    isBefore a b = earlier a b == LT
 
     -- See Note [The sweep].
-    sweep [] _ = Disjoint
-    sweep (c : cs) status
+    sweep k status
+      | k >= U.length order = Disjoint
       | all (uncurry compatible) (neighbours (toList below <> starting <> toList above)) =
-          sweep cs (replaced low width starting status)
+          sweep (k + 1) (replaced low width starting status)
       | otherwise = Meet
       where
-        starting = upwardsFrom [s | s@(Segment a _) <- incident V.! c, a == c]
-        width = length [b | Segment _ b <- incident V.! c, b == c]
+        c = order U.! k
+        starting = upwardsFrom [Segment c d | d <- atCorner c, isBefore c d]
+        width = length [() | d <- atCorner c, isBefore d c]
         low = firstNotBelow c status
         below = Seq.lookup (low - 1) status
         above = Seq.lookup (low + width) status
@@ -82,6 +84,14 @@ boundaries r segments
           | otherwise = search from middle
           where
             middle = (from + to) `div` 2
+
+otherEnds :: Int -> [Segment] -> U.Vector Int
+otherEnds n segments = U.create $ do
+  ends <- M.replicate (2 * n) (-1)
+  forM_ segments $ \(Segment a b) -> forM_ [(a, b), (b, a)] $ \(c, d) -> do
+    first <- M.read ends (2 * c)
+    M.write ends (if first < 0 then 2 * c else 2 * c + 1) d
+  pure ends
 
 neighbours :: [a] -> [(a, a)]
 neighbours items = zip items (drop 1 items)

@@ -11,17 +11,24 @@ module Visibility.Scene.Outline
   , around
   , segmentStarts
   , segmentFrom
+  , ownerOf
+  , ownersFrom
     -- * Places
   , placeOf
+  , outlinePoint
     -- * Names
+  , sideFirsts
+  , sideNumberOf
+  , backSideNumberOf
   , cornerNameOf
   , sideNameOf
   , backSideOf
   ) where
 
+import Data.Int (Int32)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import Visibility.Exact.Point (Point, latticeFor, ontoLattice)
+import Visibility.Exact.Point
 import Visibility.Scene.Contact
 import Visibility.Scene.Id
 import Visibility.Scene.Raw
@@ -48,9 +55,9 @@ data Outline = Outline
   , outlineForms :: !(V.Vector Form)
   , outlineFirst :: !(U.Vector Int)
   -- ^ By polygon: the index of its corner 0; then the number of corners.
-  , outlineOwner :: !(U.Vector Int)
-  -- ^ By corner: the place of its polygon in 'outlineIds'.
-  , outlinePoints :: !(V.Vector Point)
+  , outlineOwner :: !(U.Vector Int32)
+  -- ^ By corner: see 'ownerOf'.
+  , outlineLattice :: !Lattice
   , outlineRanked :: !Ranked
   }
 
@@ -60,14 +67,24 @@ outline shapes =
   Outline
     { outlineIds = V.fromList (map fst shapes)
     , outlineForms = V.fromList (map formOf shapes)
-    , outlineFirst = U.fromList (scanl (+) 0 sizes)
-    , outlineOwner = U.fromList (concat (zipWith replicate sizes [0 ..]))
-    , outlinePoints = V.fromList points
-    , outlineRanked = ranked (map (ontoLattice (latticeFor points)) points)
+    , outlineFirst = firsts
+    , outlineOwner = ownersFrom firsts
+    , outlineLattice = lattice
+    , outlineRanked = ranked (placesOn lattice points)
     }
   where
     points = concatMap (rawCorners . snd) shapes
-    sizes = map (length . rawCorners . snd) shapes
+    firsts = U.fromList (scanl (+) 0 (map (length . rawCorners . snd) shapes))
+    lattice = latticeFor points
+
+-- | By item, the number of the group that it is in, from where each group begins and the last ends.
+--
+-- >>> ownersFrom [0, 2, 2, 3]
+-- [0,0,2]
+ownersFrom :: U.Vector Int -> U.Vector Int32
+ownersFrom firsts = U.concat [U.replicate (to - from) k | (k, from, to) <- zip3 [0 ..] ends (drop 1 ends)]
+  where
+    ends = U.toList firsts
 
 -- | The places of all polygons in 'outlineIds'.
 polygonIndices :: Outline -> [Int]
@@ -81,7 +98,7 @@ cornersOf o p = [outlineFirst o U.! p .. outlineFirst o U.! (p + 1) - 1]
 around :: Outline -> Int -> Int -> Int
 around o k i = first + (i - first + k) `mod` (outlineFirst o U.! (p + 1) - first)
   where
-    p = outlineOwner o U.! i
+    p = ownerOf o i
     first = outlineFirst o U.! p
 
 -- | The segments of a polygon, by the corners that start them. The two faces of a thin wall are one.
@@ -94,16 +111,47 @@ segmentStarts o p = case outlineForms o V.! p of
 segmentFrom :: Outline -> Int -> Segment
 segmentFrom o i = Segment i (around o 1 i)
 
+-- | The place of a corner's polygon in 'outlineIds'.
+ownerOf :: Outline -> Int -> Int
+ownerOf o i = fromIntegral (outlineOwner o U.! i)
+{-# INLINE ownerOf #-}
+
+-- | A corner as the file states it.
+outlinePoint :: Outline -> Int -> Point
+outlinePoint o i = fromLattice (outlineLattice o) (pointAt (rankedPoints (outlineRanked o)) i)
+
 -- | Where a corner is: the order of places is the lexicographic one.
 placeOf :: Outline -> Int -> (Int, Int)
-placeOf o i = (column r U.! i, row r U.! i)
+placeOf o i = (column r i, row r i)
   where
     r = outlineRanked o
+
+-- | By polygon: the number of its side 0 among all sides; then the number of sides.
+sideFirsts :: Outline -> U.Vector Int
+sideFirsts o = U.fromList (scanl (+) 0 (map sides (polygonIndices o)))
+  where
+    sides p = case outlineForms o V.! p of
+      Ring -> size p
+      Polyline -> 2 * (size p - 1)
+    size p = outlineFirst o U.! (p + 1) - outlineFirst o U.! p
+
+-- | By 'sideFirsts', the number of the side that starts at a corner; of a thin wall, of the face on the right of the way
+-- from there.
+sideNumberOf :: Outline -> U.Vector Int -> Int -> Int
+sideNumberOf o firsts i = firsts U.! p + i - outlineFirst o U.! p
+  where
+    p = ownerOf o i
+
+-- | That of the face of a thin wall on the left of the way from a corner.
+backSideNumberOf :: Outline -> U.Vector Int -> Int -> Int
+backSideNumberOf o firsts i = firsts U.! (p + 1) - 1 - (i - outlineFirst o U.! p)
+  where
+    p = ownerOf o i
 
 cornerNameOf :: Outline -> Int -> CornerName
 cornerNameOf o i = CornerName (outlineIds o V.! p) (i - outlineFirst o U.! p)
   where
-    p = outlineOwner o U.! i
+    p = ownerOf o i
 
 -- | The side that starts at a corner; of a thin wall, the face on the right of the way from there.
 sideNameOf :: Outline -> Int -> SideName
@@ -114,5 +162,5 @@ backSideOf :: Outline -> Int -> SideName
 backSideOf o i = SideName p (2 * n - 3 - k)
   where
     CornerName p k = cornerNameOf o i
-    owner = outlineOwner o U.! i
+    owner = ownerOf o i
     n = outlineFirst o U.! (owner + 1) - outlineFirst o U.! owner

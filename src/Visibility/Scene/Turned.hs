@@ -4,13 +4,13 @@ module Visibility.Scene.Turned
   ) where
 
 import Data.Int (Int32)
-import qualified Data.Map.Strict as Map
-import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Scene.Id
+import Visibility.Scene.Stated
 import Visibility.Scene.Type
+import Visibility.Sorting
 
 -- | The scene turned by 90° to the right around the origin, (x, y) to (y, −x), under the same names and arithmetic; and
 -- for each of its corners the corner of the given scene that it is.
@@ -24,39 +24,56 @@ import Visibility.Scene.Type
 -- /Laws/ it is the scene that the turned file would give, but for the order of corners in one place where names decide
 -- it; @map original (vertices turned)@ are the vertices of the scene.
 quarterTurned :: Scene -> (Scene, U.Vector Int32)
-quarterTurned scene = (turned, U.map fromIntegral olds)
+quarterTurned scene = (turned, olds)
   where
     n = cornerCount scene
-    at c = cornerAt scene (CornerId c)
-    width = maximum (0 : [x | c <- [0 .. n - 1], let Vector2 x _ = at c])
-    onLattice c = let Vector2 x y = at c in Vector2 y (width - x)
+    points = scenePoints scene
+    -- Of all stated corners too, so that no coordinate is negative there.
+    width = maximum (0 : [ceilingOf p | p <- placeList (statedPlaces stated)])
+    ceilingOf (LatticePoint x _ w) = (x + w - 1) `quot` w
+    onLattice (LatticePoint x y w) = LatticePoint y (width * w - x) w
     -- The corners of the scene in the lexicographic order of the turned one, and their places in it.
-    olds = U.modify (Intro.sortBy earlier) (U.enumFromN 0 n)
-    news = U.update_ (U.replicate n 0) olds (U.enumFromN 0 n)
+    olds = U.map fromIntegral order
+    order = U.modify (Intro.sortBy earlier) (U.enumFromN 0 n)
+    news = U.update_ (U.replicate n 0) order (U.enumFromN 0 n) :: U.Vector Int32
     earlier c d
       | samePlace scene (CornerId c) (CornerId d) = compare c d
-      | otherwise = let Vector2 x y = at c; Vector2 x' y' = at d in compare (y, x') (y', x)
-    renumbered i = news U.! i
-    ofOld table = V.map (table V.!) (V.convert olds)
-    neighbour part i = fromIntegral (renumbered (let CornerId j = part scene (CornerId (olds U.! i)) in j))
-    moved (CornerId c) = CornerId (renumbered c)
-    startingAt (SideId s) = SideId (renumbered s)
+      | otherwise = downwards (pointAt points c) (pointAt points d)
+    neighbour part i = fromIntegral (news U.! (let CornerId j = part scene (CornerId (order U.! i)) in j))
+    ofOld table = U.map (table U.!) order
     Lattice scale (Vector2 originX originY) = sceneLattice scene
+    stated = sceneStated scene
+    -- By the old number of a place, the new one.
+    places = placeNumbersBy downwards (statedPlaces stated)
+    renumbered = U.update_ (U.replicate (U.length places) 0) (U.map fromIntegral (statedPlaceNumbers scene)) places
+    facing = ofOld (facedSides scene)
     turned =
       scene
         { sceneLattice = Lattice scale (Vector2 originY (negate width - originX))
-        , scenePoints = pointsOn (sceneArithmetic scene) [onLattice c | c <- U.toList olds]
+        , scenePoints = pointsOn (sceneArithmetic scene) (placesFrom [onLattice (pointAt points c) | c <- U.toList order])
         , neighbourTable =
             U.generate (2 * n) (\k -> neighbour (if even k then nextCorner else previousCorner) (k `div` 2))
-        , placeNumbers = U.take n (U.scanl (+) 0 (U.zipWith apart olds (U.drop 1 olds)))
-        , splitEnds = U.map (splitEnds scene U.!) (if U.null (splitEnds scene) then U.empty else olds)
-        , cornerNames = ofOld (cornerNames scene)
-        , sideNames = ofOld (sideNames scene)
-        , cornersByName = Map.map (map moved) (cornersByName scene)
-        , namesByCorner = ofOld (namesByCorner scene)
-        , piecesByName = Map.map (map startingAt) (piecesByName scene)
-        , statedByName = Map.map (\(Vector2 x y, material) -> (Vector2 y (negate x), material)) (statedByName scene)
+        , placeNumbers = U.map ((renumbered U.!) . fromIntegral) (ofOld (placeNumbers scene))
+        , splitEnds = if U.null (splitEnds scene) then U.empty else ofOld (splitEnds scene)
+        , sceneStated = stated {statedPlaces = placesFrom (map onLattice (placeList (statedPlaces stated)))}
+        , statedPlaceNumbers = places
+        , namingCorners = ofOld (namingCorners scene)
+        , facedSides = facing
+        , statedByPlace = bucketsOf places
+        , piecesBySide = bucketsBy (statedSideTotal stated) facing
         , scenePolygons =
             [p {polygonPoints = [Point y (negate x) | Point x y <- polygonPoints p]} | p <- scenePolygons scene]
         }
-    apart c d = if samePlace scene (CornerId c) (CornerId d) then 0 else 1
+
+-- | The order of places in the turned scene: upwards, and from right to left.
+downwards :: LatticePoint -> LatticePoint -> Ordering
+downwards (LatticePoint x y w) (LatticePoint x' y' w') = comparePlaces (LatticePoint y (negate x) w) (LatticePoint y' (negate x') w')
+
+-- | By point, the number of its place in such an order.
+placeNumbersBy :: (LatticePoint -> LatticePoint -> Ordering) -> Places -> U.Vector Int32
+placeNumbersBy order places = U.update_ (U.replicate total 0) sorted numbers
+  where
+    total = placeCount places
+    sorted = U.modify (Intro.sortBy (\i j -> order (placeAt places i) (placeAt places j))) (U.enumFromN 0 total)
+    numbers = U.take total (U.scanl' (+) 0 (U.zipWith step sorted (U.drop 1 sorted)))
+    step i j = if placeAt places i == placeAt places j then 0 else 1

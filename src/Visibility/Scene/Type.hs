@@ -4,8 +4,10 @@ module Visibility.Scene.Type
   ( -- * The scene
     Scene (..)
   , Surroundings (..)
-  , StatedPolygon (..)
   , assemble
+  , neighboursAlong
+  , splitEndsOf
+  , bucketsOf
   , underArithmetic
     -- * Polygons
   , Polygon (..)
@@ -35,6 +37,7 @@ module Visibility.Scene.Type
     -- ** Their names
   , sideName
   , statedSides
+  , sideRanks
   , piecesOf
   , sideSpan
   , uncovered
@@ -45,19 +48,22 @@ module Visibility.Scene.Type
 import Data.Char (isControl)
 import Data.Int (Int32)
 import Data.List (groupBy)
-import Data.Function (on)
-import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
-import Visibility.Scene.Boundary (FreeCorner (..))
+import Visibility.Scene.Boundary (Boundary (..))
 import Visibility.Scene.Id
-import Visibility.Scene.Raw (Form (..), Material)
+import Visibility.Scene.Outline
+import Visibility.Scene.Raw (Form, Material, RawPolygon (..))
+import Visibility.Scene.Stated
+import Visibility.Sorting
 
 -- | What lies beyond all polygons.
 data Surroundings
@@ -68,7 +74,7 @@ data Surroundings
   deriving (Eq, Ord, Show)
 
 -- | A scene whose polygons are simple and do not overlap, and lie inside the enclosure if there is one; they may touch.
--- Everything is indexed by 'CornerId'. The tables by name are made when they are first needed.
+-- Tables are by 'CornerId' where nothing else is said.
 data Scene = Scene
   { sceneTitle :: !(Maybe Text)
   -- ^ The name that the file gives, fit to be shown: control characters are replaced by U+FFFD, here as in names of
@@ -77,114 +83,96 @@ data Scene = Scene
   , sceneLattice :: !Lattice
   , sceneArithmetic :: !Arithmetic
   , scenePoints :: !Points
-  -- ^ Lattice coordinates of the corners, by 'CornerId'.
+  -- ^ Lattice coordinates of the corners.
   , neighbourTable :: !(U.Vector Int32)
   -- ^ 'nextCorner' and 'previousCorner' of corner i at 2i and 2i+1: close together, as the sweep asks for both.
   , placeNumbers :: !(U.Vector Int32)
-  -- ^ By corner, the number of its place in lexicographic order; places without free space are counted too.
+  -- ^ The number of a corner's place in lexicographic order; places without free space are counted too.
   , hasSharedPlaces :: !Bool
   -- ^ Are several corners in one place, of the file or of free space?
   , splitEnds :: !(U.Vector Bool)
-  -- ^ By corner: see 'isSplitEnd'. Empty if there are none.
-  , cornerNames :: !(V.Vector CornerName)
-  , sideNames :: !(V.Vector SideName)
-  , cornersByName :: (Map.Map CornerName [CornerId])
-  , namesByCorner :: (V.Vector [CornerName])
-  , piecesByName :: (Map.Map SideName [SideId])
+  -- ^ See 'isSplitEnd'. Empty if there are none.
+  , sceneStated :: !Stated
+  , statedPlaceNumbers :: !(U.Vector Int32)
+  -- ^ By stated corner, the number of its place.
+  , namingCorners :: !(U.Vector Int32)
+  -- ^ The stated corner that gives a corner its name.
+  , facedSides :: !(U.Vector Int32)
+  -- ^ The stated side that begins at a corner, or of which a piece does.
+  , statedByPlace :: Buckets
+  -- ^ The stated corners in each place. Made when it is first needed, as is the next one.
+  , piecesBySide :: Buckets
+  -- ^ By stated side, the corners at which pieces of it begin.
   , sceneContacts :: !Int
   -- ^ How many places there are where stated corners touch other corners or sides.
-  , statedByName :: (Map.Map SideName (Vector2, Material))
-  -- ^ Every side of the file, covered or not: the way along it on the lattice, and its material.
   , scenePolygons :: ![Polygon]
   -- ^ In the file's order, the enclosure last.
   }
 
--- | A polygon of a scene as the file states it: its corners in the file's order.
+-- | A polygon of a scene as the file states it: its corners in the file's order, made when they are first needed.
 data Polygon = Polygon
   { polygonId :: !PolygonId
   , polygonName :: !(Maybe Text)
   , polygonForm :: !Form
-  , polygonPoints :: ![Point]
+  , polygonPoints :: [Point]
   }
   deriving (Eq, Show)
 
--- | A polygon that has passed every check: its corners in the file's order, and the material of each of the file's
--- sides.
-data StatedPolygon = StatedPolygon
-  { statedId :: !PolygonId
-  , statedTitle :: !(Maybe Text)
-  , statedForm :: !Form
-  , statedPoints :: ![Point]
-  , statedMaterials :: ![Material]
-  }
-
 -- | Puts checked polygons and the boundary of free space between them into tables.
 --
--- /Requires/ what "Visibility.Scene.Validate" checks; the corners of the boundary give places as indices of the stated
--- corners of all polygons, in order. The number is that of the places of contact. /Cost/ O(n log n).
-assemble :: Maybe Text -> Int -> [StatedPolygon] -> [FreeCorner] -> Scene
-assemble title touching polygons boundary =
+-- /Requires/ what "Visibility.Scene.Validate" checks. The number is that of the places of contact. /Cost/ O(n log n).
+assemble :: Maybe Text -> Int -> [Shape] -> Outline -> Boundary -> Scene
+assemble title touching shapes o boundary =
   Scene
     { sceneTitle = shown <$> title
-    , surroundings = if any ((== Enclosure) . statedId) polygons then Room else OpenSky
-    , sceneLattice = lattice
+    , surroundings = if any ((== Enclosure) . fst) shapes then Room else OpenSky
+    , sceneLattice = outlineLattice o
     , sceneArithmetic = Filtered
     , scenePoints = points
     , neighbourTable = neighbours
     , placeNumbers = places
     , hasSharedPlaces = touching > 0 || U.or (U.zipWith (==) places (U.drop 1 places))
-    , splitEnds = if U.or split then split else U.empty
-    , cornerNames = V.map freeName free
-    , sideNames = V.map freeSide free
-    , cornersByName = Map.fromList [(name, cornersAt at) | (at, names) <- Map.toList namesAt, name <- names]
-    , namesByCorner = V.fromList [Map.findWithDefault [] (placeOf f) namesAt | f <- boundary]
-    , piecesByName =
-        Map.fromListWith (flip (<>)) [(freeSide f, [SideId i]) | (i, f) <- zip [0 ..] (V.toList free)]
+    , splitEnds = splitEndsOf points neighbours
+    , sceneStated = stated
+    , statedPlaceNumbers = statedNumbers boundary
+    , namingCorners = freeNames boundary
+    , facedSides = freeSides boundary
+    , statedByPlace = bucketsOf (statedNumbers boundary)
+    , piecesBySide = bucketsBy (statedSideTotal stated) (freeSides boundary)
     , sceneContacts = touching
-    , statedByName = Map.fromList (concatMap sidesOf polygons)
-    , scenePolygons =
-        [Polygon (statedId p) (shown <$> statedTitle p) (statedForm p) (statedPoints p) | p <- polygons]
+    , scenePolygons = foldr seq polygons polygons
     }
   where
-    lattice = latticeFor (concatMap statedPoints polygons)
-    stated =
-      V.fromList
-        [ (ontoLattice lattice point, CornerName (statedId polygon) k)
-        | polygon <- polygons
-        , (k, point) <- zip [0 ..] (statedPoints polygon)
-        ]
-    placeOf f = fst (stated V.! freePlace f)
-    free = V.fromList boundary
-    n = V.length free
-    points = pointsOn Filtered (map placeOf boundary)
-    neighbours =
-      U.replicate (2 * n) 0
-        U.// concat [[(2 * i, fromIntegral j), (2 * j + 1, fromIntegral i)] | (i, j) <- zip [0 ..] following]
-    following = map freeNext boundary
-    places = U.fromListN n (map (fromIntegral . freeNumber) boundary)
-    byPlace = groupBy ((==) `on` fst) (zip (map placeOf boundary) (map CornerId [0 ..]))
-    cornersByPlace = Map.fromList [(at, map snd group) | group@((at, _) : _) <- byPlace]
-    cornersAt at = Map.findWithDefault [] at cornersByPlace
-    namesAt = Map.fromListWith (flip (<>)) [(at, [name]) | (at, name) <- V.toList stated]
-    split = U.generate n isSplit
+    stated = statedFrom shapes o
+    points = pointsOn Filtered (rearranged (freePlaces boundary) (statedPlaces stated))
+    neighbours = neighboursAlong (freeNexts boundary)
+    places = U.map (\i -> statedNumbers boundary U.! fromIntegral i) (freePlaces boundary)
+    polygons = zipWith polygon shapes [0 ..]
+    polygon shape@(p, raw) k = Polygon p (shown <$> rawPolygonName raw) (formOf shape) (map (outlinePoint o) (cornersOf o k))
+    shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
+
+-- | 'neighbourTable' from the corner that follows each.
+neighboursAlong :: U.Vector Int32 -> U.Vector Int32
+neighboursAlong following = U.create $ do
+  table <- M.new (2 * U.length following)
+  U.forM_ (U.indexed following) $ \(i, j) -> do
+    M.write table (2 * i) j
+    M.write table (2 * fromIntegral j + 1) (fromIntegral i)
+  pure table
+
+-- | 'splitEnds' of a scene.
+splitEndsOf :: Points -> U.Vector Int32 -> U.Vector Bool
+splitEndsOf points neighbours = if U.or split then split else U.empty
+  where
+    split = U.generate (U.length neighbours `quot` 2) isSplit
     isSplit i = before /= after && turn points i before after == Collinear && (before > i) == (after > i)
       where
         after = fromIntegral (neighbours U.! (2 * i))
         before = fromIntegral (neighbours U.! (2 * i + 1))
-    sidesOf polygon =
-      [ (SideName (statedId polygon) k, (difference (along V.! i) (along V.! j), material))
-      | (k, (i, j), material) <- zip3 [0 ..] (sideEnds (statedForm polygon) (V.length along)) (statedMaterials polygon)
-      ]
-      where
-        along = V.fromList (map (ontoLattice lattice) (statedPoints polygon))
-    shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
--- | The corners that the sides of a polygon of so many corners join, by the numbers of the sides.
-sideEnds :: Form -> Int -> [(Int, Int)]
-sideEnds Ring n = zip [0 .. n - 1] ([1 .. n - 1] <> [0])
-sideEnds Polyline n = forth <> map (\(i, j) -> (j, i)) (reverse forth)
-  where
-    forth = zip [0 .. n - 2] [1 ..]
+-- | Stated corners by the numbers of their places.
+bucketsOf :: U.Vector Int32 -> Buckets
+bucketsOf numbers = bucketsBy (if U.null numbers then 0 else 1 + fromIntegral (U.maximum numbers)) numbers
 
 -- | The same scene, its signs decided in another way.
 underArithmetic :: Arithmetic -> Scene -> Scene
@@ -193,14 +181,14 @@ underArithmetic arithmetic scene =
 
 -- | n, the number of corners.
 cornerCount :: Scene -> Int
-cornerCount = V.length . cornerNames
+cornerCount = U.length . placeNumbers
 
 -- | All corners in lexicographic order.
 corners :: Scene -> [CornerId]
 corners scene = map CornerId [0 .. cornerCount scene - 1]
 
 -- | A corner on the lattice.
-cornerAt :: Scene -> CornerId -> Vector2
+cornerAt :: Scene -> CornerId -> LatticePoint
 cornerAt scene (CornerId c) = pointAt (scenePoints scene) c
 
 -- | A corner in the file's coordinates.
@@ -246,31 +234,42 @@ hasSplitEnds = not . U.null . splitEnds
 -- | What the file calls this corner: of the stated corners in its place, the first that belongs to a polygon on one of
 -- its flanks. Different corners in one place may have one name.
 cornerName :: Scene -> CornerId -> CornerName
-cornerName scene (CornerId c) = cornerNames scene V.! c
+cornerName scene (CornerId c) = statedName (sceneStated scene) (fromIntegral (namingCorners scene U.! c))
 
 -- | All corners of the file in the place of this one, in order.
 namesHere :: Scene -> CornerId -> [CornerName]
-namesHere scene (CornerId c) = namesByCorner scene V.! c
+namesHere scene (CornerId c) =
+  map (statedName (sceneStated scene)) (bucketOf (statedByPlace scene) (fromIntegral (placeNumbers scene U.! c)))
 
 -- | The corners of free space in the place of a corner of the file: one for each cone, none where it is all covered;
--- 'Nothing' if the file has no such corner.
+-- 'Nothing' if the file has no such corner. /Cost/ O(log n).
 cornersNamed :: Scene -> CornerName -> Maybe [CornerId]
-cornersNamed scene name = Map.lookup name (cornersByName scene)
+cornersNamed scene name = cornersIn <$> statedNumber (sceneStated scene) name
+  where
+    cornersIn i = map CornerId (takeWhile (\c -> places U.! c == place) [firstFrom 0 n .. n - 1])
+      where
+        place = statedPlaceNumbers scene U.! i
+        firstFrom low high
+          | low >= high = low
+          | places U.! middle < place = firstFrom (middle + 1) high
+          | otherwise = firstFrom low middle
+          where
+            middle = (low + high) `quot` 2
+    places = placeNumbers scene
+    n = cornerCount scene
 
 -- | All corners of the file, polygon by polygon.
 statedCorners :: Scene -> [(CornerName, Point)]
-statedCorners scene =
-  [ (CornerName (polygonId polygon) k, point)
-  | polygon <- scenePolygons scene
-  , (k, point) <- zip [0 ..] (polygonPoints polygon)
-  ]
+statedCorners scene = [(statedName stated i, fromLattice (sceneLattice scene) place) | (i, place) <- zip [0 ..] places]
+  where
+    stated = sceneStated scene
+    places = placeList (statedPlaces stated)
 
 -- | Where a corner of the file is.
 statedPoint :: Scene -> CornerName -> Maybe Point
-statedPoint scene (CornerName p k) =
-  case [drop k (polygonPoints polygon) | k >= 0, polygon <- scenePolygons scene, polygonId polygon == p] of
-    (point : _) : _ -> Just point
-    _ -> Nothing
+statedPoint scene name = fromLattice (sceneLattice scene) . placeAt (statedPlaces stated) <$> statedNumber stated name
+  where
+    stated = sceneStated scene
 
 -- | All sides and uncovered pieces of sides, by their starting corners.
 sides :: Scene -> [SideId]
@@ -286,39 +285,42 @@ sideEnd scene = nextCorner scene . sideStart
 
 -- | The material of a side, overrides applied.
 sideMaterial :: Scene -> SideId -> Material
-sideMaterial scene s = snd (statedSide scene (sideName scene s))
-
-statedSide :: Scene -> SideName -> (Vector2, Material)
-statedSide scene name = case Map.lookup name (statedByName scene) of
-  Just found -> found
-  Nothing -> broken "a side has the name of one of the file" (sideText name)
+sideMaterial scene (SideId s) = statedMaterials (sceneStated scene) V.! fromIntegral (facedSides scene U.! s)
 
 -- | What the file calls this side, or the one that it is a piece of.
 sideName :: Scene -> SideId -> SideName
-sideName scene (SideId s) = sideNames scene V.! s
+sideName scene (SideId s) = statedSideName (sceneStated scene) (fromIntegral (facedSides scene U.! s))
 
 -- | All sides of the file, by name, those that are all covered too.
 statedSides :: Scene -> [SideName]
-statedSides = Map.keys . statedByName
+statedSides scene = map (statedSideName stated) [0 .. statedSideTotal stated - 1]
+  where
+    stated = sceneStated scene
+
+-- | By side, the place in 'statedSides' of its name.
+sideRanks :: Scene -> U.Vector Int32
+sideRanks = facedSides
 
 -- | What is not covered of a side of the file: the side itself, or pieces of it, or nothing; 'Nothing' if the file has
 -- no such side.
 piecesOf :: Scene -> SideName -> Maybe [SideId]
-piecesOf scene name
-  | name `Map.member` statedByName scene = Just (Map.findWithDefault [] name (piecesByName scene))
-  | otherwise = Nothing
+piecesOf scene name = map SideId . bucketOf (piecesBySide scene) <$> statedSideNumber (sceneStated scene) name
 
 -- | The way along a side of the file on the lattice, whole, whatever covers it. /Requires/ the name of a side.
-sideSpan :: Scene -> SideName -> Vector2
-sideSpan scene = fst . statedSide scene
+sideSpan :: Scene -> SideName -> Way
+sideSpan scene name = case statedSideNumber stated name of
+  Just i -> statedWay stated i
+  Nothing -> broken "a side has the name of one of the file" (sideText name)
+  where
+    stated = sceneStated scene
 
 -- | The part of a side that nothing covers, from 0 to 1. /Requires/ the name of a side.
 uncovered :: Scene -> SideName -> Rational
-uncovered scene name = sum [along (pieceSpan s) % along whole | s <- Map.findWithDefault [] name (piecesByName scene)]
+uncovered scene name = sum [along (pieceSpan s) / along whole | s <- fromMaybe [] (piecesOf scene name)]
   where
-    whole@(Vector2 dx _) = sideSpan scene name
-    along (Vector2 x y) = abs (if dx == 0 then y else x)
-    pieceSpan s = difference (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
+    whole@(Way (Vector2 dx _) _) = sideSpan scene name
+    along (Way (Vector2 x y) w) = abs (if dx == 0 then y else x) % w
+    pieceSpan s = way (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
 
 -- | What the file calls an object.
 seenAs :: Scene -> Object -> Seen

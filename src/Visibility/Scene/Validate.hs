@@ -6,7 +6,7 @@ module Visibility.Scene.Validate
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -19,7 +19,7 @@ import Visibility.Scene.Disjoint
 import Visibility.Scene.Id
 import Visibility.Scene.Outline
 import Visibility.Scene.Raw
-import Visibility.Scene.Type (Scene, StatedPolygon (..), assemble)
+import Visibility.Scene.Type (Scene, assemble)
 
 -- | The scene, or everything that is wrong with it: sorted by polygon and then by corner or side, nothing twice.
 --
@@ -43,26 +43,12 @@ validate raw
   | null shapes = Left (EmptyScene :| [])
   | otherwise = case ordered (statementErrors shapes <> geometryErrors o found) of
       e : es -> Left (e :| es)
-      [] -> Right (assemble (rawName raw) (contactTotal o found) (map stated shapes) (freeCorners o found))
+      [] -> Right (assemble (rawName raw) (contactTotal o found) shapes o (freeCorners o found))
   where
     shapes = zip (map Obstacle [0 ..]) (rawPolygons raw) <> [(Enclosure, room) | Just room <- [rawEnclosure raw]]
     o = outline [shape | shape@(_, polygon) <- shapes, length (rawCorners polygon) >= fewestCorners shape]
     found = contactsIn o
     ordered = sortOn (\e -> (sceneErrorPlace e, e)) . Set.toList . Set.fromList
-
-stated :: Shape -> StatedPolygon
-stated shape@(p, polygon) =
-  StatedPolygon
-    { statedId = p
-    , statedTitle = rawPolygonName polygon
-    , statedForm = formOf shape
-    , statedPoints = rawCorners polygon
-    , statedMaterials = [side k | k <- [0 .. sideTotalOf shape - 1]]
-    }
-  where
-    side k = maybe material overridden (Map.lookup k (rawSides polygon))
-    material = rawMaterial polygon
-    overridden (MaterialOverride e r) = Material (fromMaybe (emission material) e) (fromMaybe (reflectivity material) r)
 
 sideTotalOf :: Shape -> Int
 sideTotalOf shape@(_, polygon) = sideTotal polygon {rawForm = formOf shape}
@@ -117,17 +103,17 @@ geometryErrors o found = inThemselves <> crossings <> overlapping <> positionErr
       OnSegment i s -> (owner i, owner s)
       Cross s t -> (owner s, owner t)
     pairOf p q = (min p q, max p q)
-    owner = (outlineOwner o U.!)
+    owner = ownerOf o
     name = (outlineIds o V.!)
 
 -- A ring may not touch itself.
 ownContact :: Outline -> Contact -> Maybe SceneError
 ownContact o contact = case contact of
   OnSegment i s
-    | outlineOwner o U.! i == p, Ring <- outlineForms o V.! p ->
-        Just (CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoints o V.! i))
+    | ownerOf o i == p, Ring <- outlineForms o V.! p ->
+        Just (CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoint o i))
     where
-      p = outlineOwner o U.! s
+      p = ownerOf o s
   _ -> Nothing
 
 -- | The rings that have all corners on one line.
@@ -151,9 +137,9 @@ alone o flat p = [ZeroArea (outlineIds o V.! p) | p `Set.member` flat] <> repeat
     repeats = case outlineForms o V.! p of
       Ring -> [repeated i j | i <- cornersOf o p, Just j <- [Map.lookup (place i) firsts], j /= i]
       Polyline -> [repeated i (i - 1) | i <- drop 1 (cornersOf o p), samePlace r i (i - 1)]
-    repeated i j = RepeatedCorner (cornerNameOf o i) (j - outlineFirst o U.! p) (outlinePoints o V.! i)
+    repeated i j = RepeatedCorner (cornerNameOf o i) (j - outlineFirst o U.! p) (outlinePoint o i)
     spikes =
-      [ Spike (cornerNameOf o i) (outlinePoints o V.! i)
+      [ Spike (cornerNameOf o i) (outlinePoint o i)
       | p `Set.notMember` flat
       , i <- inner
       , let before = around o (-1) i
@@ -201,8 +187,8 @@ positionErrors o flat met =
     isInside p q = foldBoxes above flipped Outside (trees V.! q) == Inside
       where
         corner = outlineFirst o U.! p
-        x = column r U.! corner
-        y = row r U.! corner
+        x = column r corner
+        y = row r corner
         above box = boxLeft box <= x && x <= boxRight box && boxTop box >= y
         flipped parity k
           | isBelow r corner (segmentFrom o (outlineFirst o U.! q + k)) = other parity

@@ -78,7 +78,7 @@ isElementary scene p q =
 -- | Does the ray from a corner towards another enter the solid there? The solid lies between the side to the following
 -- corner and, counter-clockwise from it, the side to the preceding one.
 insideWedge :: Scene -> CornerId -> CornerId -> Bool
-insideWedge scene c towards = case directionTurn to from of
+insideWedge scene c target = case directionTurn to from of
   LeftTurn -> left to ray && left ray from
   RightTurn -> not (atMost ray to && atMost from ray)
   Collinear -> left to ray
@@ -87,7 +87,7 @@ insideWedge scene c towards = case directionTurn to from of
     heading (CornerId j) = direction (scenePoints scene) i j
     to = heading (nextCorner scene c)
     from = heading (previousCorner scene c)
-    ray = heading towards
+    ray = heading target
     left a b = directionTurn a b == LeftTurn
     -- For a reflex corner the free cone runs counter-clockwise from the preceding side to the following one, less than
     -- 180°.
@@ -97,4 +97,4 @@ insideWedge scene c towards = case directionTurn to from of
 turned :: Turn -> Scene -> CornerId -> CornerId -> CornerId -> Bool
 turned wanted scene a b c = directionTurn (heading a b) (heading a c) == wanted
   where
-    heading i j = let Vector2 x y = difference (cornerAt scene i) (cornerAt scene j) in Direction x y
+    heading i j = let Vector2 x y = towards (cornerAt scene i) (cornerAt scene j) in Direction x y

@@ -73,9 +73,9 @@ boundaryMeasures complex =
     term signed v a b = case lines' V.! v of
       Nothing -> []
       Just (px, py, square) ->
-        [ (toRational (signed :: Integer) * ((x * px + y * py) % square), square)
+        [ (toRational (signed :: Integer) * ((x * px + y * py) % (square * w)), square)
         | a /= b
-        , let Vector2 x y = difference (cornerAt scene b) (cornerAt scene a)
+        , let Way (Vector2 x y) w = way (cornerAt scene b) (cornerAt scene a)
         ]
     scene = complexScene complex
     sumOf = fromMaybe RootSum.zero . RootSum.fromTerms
@@ -142,8 +142,8 @@ closedMeasures =
        in [ objectLabel complex (Just (Side s)) <> ": " <> show (RootSum.terms total) <> ", twice its length is "
               <> show (RootSum.terms twice)
           | s <- sides scene
-          , let Vector2 x y = difference (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
-          , let twice = RootSum.hypotenuse 2 x y
+          , let Way (Vector2 x y) w = way (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
+          , let twice = RootSum.hypotenuse (2 % w) x y
           , let total = Map.findWithDefault RootSum.zero s found
           , not (equal total twice)
           ]

@@ -14,6 +14,7 @@ import Data.List (mapAccumL, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import Data.Ord (Down (..))
+import Data.Ratio ((%))
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import Visibility.Complex.Law.Base
@@ -94,10 +95,10 @@ isGeneric scene d = and (zipWith (/=) offsets (drop 1 offsets))
     offsets = sort [offset scene d c | c : _ <- placeGroups scene]
 
 -- | How far above the origin the line through a corner lies, times the length of the direction.
-offset :: Scene -> Direction -> CornerId -> Integer
-offset scene (Direction dx dy) c = dx * y - dy * x
+offset :: Scene -> Direction -> CornerId -> Rational
+offset scene (Direction dx dy) c = (dx * y - dy * x) % w
   where
-    Vector2 x y = cornerAt scene c
+    LatticePoint x y w = cornerAt scene c
 
 -- | The corners from top to bottom.
 downwards :: Scene -> Direction -> [CornerId]

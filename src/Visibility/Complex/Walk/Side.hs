@@ -112,7 +112,7 @@ faceMeasure complex f = along (upperChain complex f) `RootSum.minus` along (lowe
       ]
       where
         passed = if wrapsAround complex e then reversed else id
-    position c d = RootSum.hypotenuse ((x * dx + y * dy) % (unit * (dx * dx + dy * dy))) dx dy
+    position c d = RootSum.hypotenuse ((x * dx + y * dy) % (unit * w * (dx * dx + dy * dy))) dx dy
       where
-        Vector2 x y = cornerAt scene c
+        LatticePoint x y w = cornerAt scene c
         Direction dx dy = primitive d

@@ -98,8 +98,9 @@ turnIn f a b c = case tableDecides (tablesOf f) of
 rises :: Frame -> Int -> Int -> Bool
 rises f a b = case tableDecides (tablesOf f) of
   Machine -> y a < y b
-  Other points -> let Vector2 _ ya = pointAt points a; Vector2 _ yb = pointAt points b in ya < yb
+  Other points -> isHigher (pointAt points b) (pointAt points a)
   where
+    isHigher (LatticePoint _ up w) (LatticePoint _ up' w') = up * w' > up' * w
     y i = ofCorner f (4 * i + 1)
 
 -- | Are two corners in one place?
