@@ -239,7 +239,7 @@ sampledFactors scene side =
   Map.fromListWith (+) (concatMap fromPoint [(fromIntegral i + 0.5) / fromIntegral count | i <- [0 .. count - 1]])
   where
     count = 100 :: Int
-    at c = let Vector2 x y = cornerAt scene c in (fromInteger x, fromInteger y) :: (Double, Double)
+    at c = let Point x y = cornerPoint scene c in (fromRational x, fromRational y) :: (Double, Double)
     (ax, ay) = at (sideStart side)
     (bx, by) = at (sideEnd scene side)
     len = sqrt ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))

@@ -65,7 +65,7 @@ nearest scene c d@(Direction dx dy)
       s : _ -> Meets (Side s)
       [] -> Solid
   where
-    Vector2 cx cy = cornerAt scene c
+    (cx, cy) = coordinates (cornerAt scene c)
     isElsewhere other = other /= c && isFree other
     -- Does the ray run counter-clockwise between the preceding side and the following one?
     isFree other
@@ -81,13 +81,13 @@ nearest scene c d@(Direction dx dy)
       | s <- sides scene
       , sideStart s /= c
       , sideEnd scene s /= c
-      , let Vector2 ax ay = cornerAt scene (sideStart s)
-      , let Vector2 bx by = cornerAt scene (sideEnd scene s)
+      , let (ax, ay) = coordinates (cornerAt scene (sideStart s))
+      , let (bx, by) = coordinates (cornerAt scene (sideEnd scene s))
       , let (ex, ey) = (bx - ax, by - ay)
-      , let inward = ex * dy - ey * dx
+      , let inward = ex * fromInteger dy - ey * fromInteger dx
       , inward /= 0
-      , let t = ((ax - cx) * ey - (ay - cy) * ex) % negate inward
-      , let u = ((ax - cx) * dy - (ay - cy) * dx) % negate inward
+      , let t = ((ax - cx) * ey - (ay - cy) * ex) / negate inward
+      , let u = ((ax - cx) * fromInteger dy - (ay - cy) * fromInteger dx) / negate inward
       , t > 0
       , u > 0
       , u < 1

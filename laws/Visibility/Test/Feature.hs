@@ -102,8 +102,8 @@ features (Sample raw scene) = [feature | feature <- [minBound .. maxBound], has 
     -- Around free space, clockwise; the others go around what is solid.
     isAroundFree walk = sum (zipWith crossProduct places (drop 1 places <> take 1 places)) < 0
       where
-        places = map (cornerAt scene) walk
-    crossProduct (Vector2 ax ay) (Vector2 bx by) = ax * by - ay * bx
+        places = map (coordinates . cornerAt scene) walk
+    crossProduct (ax, ay) (bx, by) = ax * by - ay * bx
     points = scenePoints scene
     has feature = case feature of
       DegenerateVertex -> not (null degenerate)

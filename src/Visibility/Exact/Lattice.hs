@@ -27,6 +27,7 @@ module Visibility.Exact.Lattice
   , Places (..)
   , placesFrom
   , placesOn
+  , wholePlaces
   , placeAt
   , placeCount
   , placeList
@@ -163,6 +164,10 @@ placesFrom points
 -- | The places of a file's points.
 placesOn :: Lattice -> [Point] -> Places
 placesOn lattice = placesFrom . map (ontoLattice lattice)
+
+-- | The places at the ends of vectors from the origin.
+wholePlaces :: [Vector2] -> Places
+wholePlaces vectors = placesFrom [LatticePoint x y 1 | Vector2 x y <- vectors]
 
 -- | /Requires/ an index below the number of points.
 placeAt :: Places -> Int -> LatticePoint

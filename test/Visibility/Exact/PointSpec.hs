@@ -1,6 +1,6 @@
 module Visibility.Exact.PointSpec (spec) where
 
-import Data.Ratio (denominator, (%))
+import Data.Ratio ((%))
 import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.QuickCheck
@@ -23,32 +23,9 @@ instance Arbitrary SomePoints where
 
 spec :: Spec
 spec = do
-  describe "the lattice" $ do
-    it "takes a point there and back" $
-      property $ \(SomePoints ps) -> let l = latticeFor ps in map (fromLattice l . ontoLattice l) ps === ps
-    it "has the lower left corner of the bounding box as its origin" $
-      property $ \(SomePoints ps) ->
-        let l = latticeFor ps
-            qs = map (ontoLattice l) ps
-         in (minimum [x | Vector2 x _ <- qs], minimum [y | Vector2 _ y <- qs]) === (0, 0)
-    it "enlarges displacements by its scale, and no scale is smaller" $
-      property $ \(SomePoints ps) ->
-        let l = latticeFor ps
-            factor = fromInteger (latticeScale l) :: Rational
-         in conjoin
-              [ conjoin
-                  [ let Vector2 dx dy = difference (ontoLattice l a) (ontoLattice l b)
-                     in (fromInteger dx, fromInteger dy) === (factor * (bx - ax), factor * (by - ay))
-                  | a@(Point ax ay) <- take 4 ps
-                  , b@(Point bx by) <- take 4 ps
-                  ]
-              , latticeScale l === foldr (\(Point x y) k -> least k x y) 1 ps
-              ]
-    it "is the integers themselves for integer points" $
-      latticeScale (latticeFor [Point 3 4, Point (-1) 7]) `shouldBe` 1
   describe "the arithmetic" $ do
     it "is that of machine integers up to the extent 2^31 - 1 and not beyond" $
-      [ (k, kernelName (pointsOn Filtered [Vector2 0 0, v]))
+      [ (k, kernelName (pointsOn Filtered (wholePlaces [Vector2 0 0, v])))
       | k <- [2 ^ (31 :: Int) - 1, 2 ^ (31 :: Int), 2 ^ (31 :: Int) + 1]
       , v <- [Vector2 k 0, Vector2 0 k]
       ]
@@ -57,17 +34,17 @@ spec = do
                    , _ <- [(), ()]
                    ]
     it "is what is asked for" $
-      map (kernelName . (`pointsOn` [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound]
+      map (kernelName . (`pointsOn` wholePlaces [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound]
         `shouldBe` ["machine", "integer", "double", "rational"]
     it "can be chosen anew without touching the points" $
       property $ \a b (SomePoints ps) ->
         let l = latticeFor ps
             qs = map (ontoLattice l) ps
-            points = withArithmetic (arithmetic b) (pointsOn (arithmetic a) qs)
+            points = withArithmetic (arithmetic b) (pointsOn (arithmetic a) (placesFrom qs))
          in (map (pointAt points) [0 .. length qs - 1], kernelName points)
-              === (qs, kernelName (pointsOn (arithmetic b) qs))
+              === (qs, kernelName (pointsOn (arithmetic b) (placesFrom qs)))
     it "bounds the rounding of every Double of the filter, and knows where nothing was rounded" $
-      property $ \(BeyondMachine extents) -> case pointsKernel (pointsOn Filtered extents) of
+      property $ \(BeyondMachine extents) -> case pointsKernel (pointsOn Filtered (wholePlaces extents)) of
         FilterKernel xs ->
           let order extent = length (takeWhile (<= extent) (iterate (* 2) 1))
               orderX = order (maximum [x | Vector2 x _ <- extents])
@@ -81,8 +58,20 @@ spec = do
                 | (q, (d, e)) <- zip exact stored
                 ]
         _ -> counterexample "no filter" False
+    it "bounds the rounding of points between the lattice's, too" $
+      property $ \(SomePoints ps) -> let l = latticeFor [Point 0 0] in fractionsBounded (map (moved . ontoLattice l) ps)
   where
-    least k x y = foldl lcm k [denominator x, denominator y]
+    moved (LatticePoint x y w) = latticePoint (abs (x % w)) (abs (y % w))
+    fractionsBounded places = case pointsKernel (pointsOn Filtered (placesFrom (latticePoint 0 (1 % 2) : places))) of
+      FilterKernel xs ->
+        let stored = [[(xs U.! i, xs U.! (i + 2)), (xs U.! (i + 1), xs U.! (i + 3))] | i <- [4, 8 .. U.length xs - 4]]
+            column k = zip (map ((!! k) . both . coordinates) places) (map (!! k) stored)
+            both (x, y) = [x, y]
+            -- The scale is a power of two that brings all below 1: recovered from one that is not zero.
+            scaled k power = [(q * 2 ^^ power, d, e) | (q, (d, e)) <- column k]
+            fits k = or [and [abs (q - toRational d) <= toRational e && d <= 1 | (q, d, e) <- scaled k power] | power <- [-150 .. 150 :: Int]]
+         in counterexample (show stored) (fits 0 && fits 1)
+      _ -> counterexample "no filter" False
 
 -- | Lattice points with an extent beyond machine integers.
 newtype BeyondMachine = BeyondMachine [Vector2]

@@ -2,6 +2,7 @@ module Visibility.Exact.PredicateSpec (spec) where
 
 import Control.Exception (evaluate)
 import Control.Monad (forM_)
+import Data.Ratio ((%))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
@@ -58,9 +59,34 @@ instance Arbitrary Headings where
         Vector2 left low = beside
     elements [Headings a b c d, Headings (moved a) (moved b) (moved c) (moved beside)]
 
+placed :: Arithmetic -> [Vector2] -> Points
+placed arithmetic = pointsOn arithmetic . wholePlaces
+
+-- | Four points of which some lie between those of the lattice: on lines through two others, or next to them.
+newtype Fractions = Fractions [LatticePoint]
+  deriving (Show)
+
+instance Arbitrary Fractions where
+  arbitrary = do
+    width <- elements [4, 50, 2 ^ (33 :: Int)]
+    let free = latticePoint <$> coordinate width <*> coordinate width
+    a <- free
+    b <- free
+    onLine <- between a b <$> coordinate 3
+    onOther <- between onLine a <$> coordinate 2
+    others <- vectorOf 2 free
+    Fractions . take 4 <$> shuffle ([a, b, onLine, onOther] <> others)
+    where
+      coordinate :: Integer -> Gen Rational
+      coordinate width = oneof [fromInteger <$> choose (0, width), (%) <$> choose (0, 97 * width) <*> choose (97, 1000)]
+      between p q t = latticePoint (abs (px + t * (qx - px))) (abs (py + t * (qy - py)))
+        where
+          (px, py) = coordinates p
+          (qx, qy) = coordinates q
+
 -- | The three points under an arithmetic, as corners 0, 1 and 2.
 under :: Arithmetic -> Triple -> Points
-under arithmetic (Triple a b c) = pointsOn arithmetic [a, b, c]
+under arithmetic (Triple a b c) = placed arithmetic [a, b, c]
 
 -- | The sign of the determinant, expanded in another way than the kernels compute it.
 determinant :: Triple -> Turn
@@ -94,10 +120,10 @@ spec = do
               ] === replicate 21 Collinear
       it "sees a difference of one in two hundred bits" $
         let k = 2 ^ (200 :: Int)
-            third d = pointsOn arithmetic [Vector2 0 0, Vector2 k k, Vector2 (2 * k) (2 * k + d)]
+            third d = placed arithmetic [Vector2 0 0, Vector2 k k, Vector2 (2 * k) (2 * k + d)]
          in [turn (third d) 0 1 2 | d <- [-1, 0, 1]] `shouldBe` [RightTurn, Collinear, LeftTurn]
       it "sees neighbours in a Farey sequence apart" $
-        [ turn (pointsOn arithmetic [Vector2 0 0, Vector2 q p, Vector2 q' p']) 0 1 2
+        [ turn (placed arithmetic [Vector2 0 0, Vector2 q p, Vector2 q' p']) 0 1 2
         | ((p, q), (p', q')) <- zip fibonacciFractions (drop 1 fibonacciFractions)
         ]
           `shouldBe` take (length fibonacciFractions - 1) (cycle [LeftTurn, RightTurn])
@@ -105,7 +131,7 @@ spec = do
         let m = 2 ^ (31 :: Int) - 1
             ends = [0, 1, m - 1, m]
             grid = [Vector2 x y | x <- ends, y <- ends]
-            points = pointsOn arithmetic grid
+            points = placed arithmetic grid
             at i = grid !! i
          in [ (i, j, k)
             | i <- [0 .. 15]
@@ -124,23 +150,23 @@ spec = do
     forM_ exactArithmetics $ \arithmetic -> describe (show arithmetic) . modifyMaxSuccess (* 20) $ do
       it "is the turn of the exact directions" $
         property $ \(Headings a b c d) ->
-          let p = pointsOn arithmetic [a, b, c, d]
+          let p = placed arithmetic [a, b, c, d]
            in headingTurn p 0 1 2 3 === directionTurn (direction p 0 1) (direction p 2 3)
       it "is antisymmetric, in the headings and in each of them" $
         property $ \(Headings a b c d) ->
-          let p = pointsOn arithmetic [a, b, c, d]
+          let p = placed arithmetic [a, b, c, d]
            in [opposite (headingTurn p 2 3 0 1), opposite (headingTurn p 1 0 2 3), headingTurn p 1 0 3 2]
                 === replicate 3 (headingTurn p 0 1 2 3)
       it "is the turn of corners where both begin at one" $
         property $ \t -> let p = under arithmetic t in headingTurn p 0 1 0 2 === turn p 0 1 2
       it "is collinear by the corners alone" $
         property $ \(Headings a b c d) ->
-          let p = pointsOn arithmetic [a, b, c, d]
+          let p = placed arithmetic [a, b, c, d]
            in [headingTurn p i j k l | (i, j, k, l) <- [(0, 0, 2, 3), (0, 1, 2, 2), (0, 1, 0, 1), (0, 1, 1, 0)]]
                 === replicate 4 Collinear
       it "is the same when it is counted, and counted once" $
         property $ \(Headings a b c d) -> ioProperty $ do
-          let p = pointsOn arithmetic [a, b, c, d]
+          let p = placed arithmetic [a, b, c, d]
           tally <- newTally
           let found = fmap (\q -> headingTurn q 0 1 2 3) (tallied tally p)
           same <- evaluate (maybe True (== headingTurn p 0 1 2 3) found)
@@ -158,6 +184,20 @@ spec = do
           , property (compareDirections a b == GT || compareDirections b c == GT || compareDirections a c /= GT)
           , compareDirections a b === compare (angle a) (angle b)
           ]
+  describe "between the lattice's points" $
+    it "every exact arithmetic has the sign of the rational determinant" $
+      property $ \(Fractions places) ->
+        let coordinate i = coordinates (places !! i)
+            between i j = let ((x, y), (x', y')) = (coordinate i, coordinate j) in (x' - x, y' - y)
+            sign (x, y) (x', y') = case compare (x * y') (y * x') of LT -> RightTurn; EQ -> Collinear; GT -> LeftTurn
+            expected = [sign (between a b) (between c d) | [a, b, c, d] <- quadruples]
+            quadruples = sequence (replicate 4 [0 .. 3])
+         in conjoin
+              [ counterexample (show arithmetic) $
+                  [headingTurn points a b c d | [a, b, c, d] <- quadruples] === expected
+              | arithmetic <- [Filtered, Exact, RationalBaseline]
+              , let points = pointsOn arithmetic (placesFrom places)
+              ]
   describe "opposite" $
     it "undoes itself and leaves collinear alone" $
       (map (opposite . opposite) [minBound .. maxBound], opposite Collinear)
@@ -191,7 +231,7 @@ classroom :: [(Integer, Integer)]
 classroom = [(x, y) | x <- [0, 5 .. 255], y <- [0, 3 .. 255]]
 
 classroomPoints :: Arithmetic -> Integer -> Integer -> Points
-classroomPoints arithmetic x y = pointsOn arithmetic (map (ontoLattice (latticeFor points)) points)
+classroomPoints arithmetic x y = pointsOn arithmetic (placesOn (latticeFor points) points)
   where
     unit = 2 ^ (53 :: Int) :: Rational
     points = [Point (1 / 2 + fromInteger x / unit) (1 / 2 + fromInteger y / unit), Point 12 12, Point 24 24]

@@ -4,7 +4,7 @@ import Data.List (sort)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
-import Visibility.Exact.Point (Vector2 (..))
+import Visibility.Exact.Point (Vector2 (..), wholePlaces)
 import Visibility.Scene.Contact
 
 spec :: Spec
@@ -32,7 +32,7 @@ spec = modifyMaxSuccess (* 20) $ do
     isBelow r 3 (Segment 0 1) `shouldBe` False
     isBelow r 0 (Segment 2 3) `shouldBe` False
   where
-    segments places = (ranked places, Segment 0 1, Segment 2 3)
+    segments places = (ranked (wholePlaces places), Segment 0 1, Segment 2 3)
     coordinate = frequency [(9, choose (0, 4)), (1, elements [0, 2 ^ (70 :: Int), 2 ^ (70 :: Int) + 1])]
     fourCorners = vectorOf 4 (Vector2 <$> coordinate <*> coordinate)
     tidy (Touching touches) = Touching (sort touches)

@@ -1,6 +1,5 @@
 module Visibility.Scene.OutlineSpec (spec) where
 
-import qualified Data.Vector as V
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -22,7 +21,7 @@ spec = do
   describe "an outline" $ do
     prop "has the corners of all polygons, in the file's order, each under its name" $
       forAllOutlines $ \shapes o ->
-        [(cornerNameOf o i, outlinePoints o V.! i) | p <- polygonIndices o, i <- cornersOf o p]
+        [(cornerNameOf o i, outlinePoint o i) | p <- polygonIndices o, i <- cornersOf o p]
           === [(CornerName p k, point) | (p, polygon) <- shapes, (k, point) <- zip [0 ..] (rawCorners polygon)]
     prop "leads around each polygon, and back" $
       forAllOutlines $ \_ o ->
@@ -46,7 +45,7 @@ spec = do
     prop "orders places as points are ordered" $
       forAllOutlines $ \_ o ->
         let is = concatMap (cornersOf o) (polygonIndices o)
-            point i = outlinePoints o V.! i
+            point i = outlinePoint o i
          in conjoin [compare (placeOf o i) (placeOf o j) === compare (point i) (point j) | i <- is, j <- is]
   where
     names p = map (SideName p)

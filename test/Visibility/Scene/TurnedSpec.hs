@@ -4,7 +4,7 @@ import Data.List (sort)
 import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
-import Visibility.Exact.Point (Point (..), Vector2 (..))
+import Visibility.Exact.Point (Point (..), Vector2 (..), Way (..))
 import Visibility.Scene
 import Visibility.Scene.Turned
 import Visibility.Sweep
@@ -41,10 +41,10 @@ spec =
               , map (uncurry (samePlace turned)) pairs === [samePlace scene (old c) (old d) | (c, d) <- pairs]
               , map (isSplitEnd turned) (corners turned) === map (isSplitEnd scene . old) (corners turned)
               , map (sideName turned) (sides turned) === map (sideName scene . oldSide) (sides turned)
-              , map (fmap (map oldSide) . piecesOf turned) (statedSides turned)
+              , map (fmap (sort . map oldSide) . piecesOf turned) (statedSides turned)
                   === map (piecesOf scene) (statedSides scene)
               , map (sideSpan turned) (statedSides turned)
-                  === [Vector2 y (negate x) | Vector2 x y <- map (sideSpan scene) (statedSides scene)]
+                  === [Way (Vector2 y (negate x)) w | Way (Vector2 x y) w <- map (sideSpan scene) (statedSides scene)]
               , map (uncovered turned) (statedSides turned) === map (uncovered scene) (statedSides scene)
               ]
     it "sees the same" $

@@ -72,4 +72,4 @@ spec =
 steep :: Scene -> Direction
 steep scene = Direction 1 (-1 - height)
   where
-    height = maximum (0 : [y | c <- corners scene, let Vector2 _ y = cornerAt scene c])
+    height = maximum (0 : [ceiling (snd (coordinates (cornerAt scene c))) | c <- corners scene])
