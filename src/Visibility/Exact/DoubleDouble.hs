@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE HexFloatLiterals #-}
 
--- | Lengths and their sums as unevaluated sums of two Doubles, with proved bounds of what is lost; and quotients of them
--- rounded to a Double where the bound leaves no doubt.
+-- | Lengths and their sums as unevaluated sums of two Doubles, with proved bounds of what is lost; and quotients of
+-- them rounded to a Double where the bound leaves no doubt.
 --
 -- /Source/ error-free transformations: Dekker, A floating-point technique for extending the available precision (1971);
 -- Knuth, The Art of Computer Programming 2, 4.2.2. The rounding test is Ziv's (1991).
@@ -24,26 +24,29 @@ module Visibility.Exact.DoubleDouble
   , quotientEnclosure
   ) where
 
-import Data.Bits (shiftL, shiftR, (.&.))
+import Data.Bits (shift, shiftR, (.&.))
 import Visibility.Exact.IntegerRoot (bitLength, integerSquareRoot)
 
 -- Note [The bounds of lengths and sums]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 -- Write u = 2^-53. A length ℓ is given as s + t with s a Double, |t| <= 2us and |ℓ − (s + t)| <= 8u²ℓ.
 --
--- 'machineLength' of N = x² + y² < 2^63: N = h + l exactly, h the Double nearest to N, |l| <= uN. s = fl(√h). The product
--- s·s = p + p' is exact (Dekker; s < 2^32, and p' is no smaller than 2^-104). h − p is exact (Sterbenz: s² is within 3uN
--- of h). e = N − s² is then computed with two more roundings, of numbers below 4uN: the error is at most 8u²N, and
--- |e| <= 3.1uN. From √N = s + e/(2s) − e²/(8s³) + …, t = fl(e/(2s)) is off by at most
+-- 'machineLength' of N = x² + y² < 2^63: N = h + l exactly, h the Double nearest to N, |l| <= uN. s = fl(√h). The
+-- product s·s = p + p' is exact (Dekker; s < 2^32, and p' is no smaller than 2^-104). h − p is exact (Sterbenz: s² is
+-- within 3uN of h). e = N − s² is then computed with two more roundings, of numbers below 4uN: the error is at most
+-- 8u²N, and |e| <= 3.1uN. From √N = s + e/(2s) − e²/(8s³) + …, t = fl(e/(2s)) is off by at most
 -- (8u²N)/(2s) + 1.6u²s + 1.3u²s < 8u²ℓ.
 --
--- 'scaledLength' truncates an integer root of 116 bits or more to 106 bits: off by at most 2^-105 + 2^-115 < 3u², and
--- t < 2^-52 s.
+-- 'scaledLength' keeps the 128 leading bits of the longer coordinate and the same places of the other one, in units of
+-- the last place kept: the vector is 2^127 or longer, and each coordinate loses less than 1. So the length loses less
+-- than √2 (triangle inequality), the integer root of the sum of squares less than 1 more: less than 2^-125 of it. The
+-- root has 128 or 129 bits; truncating it to 106 loses at most 2^-105. Together that is below 3u², and t < 2^-52 s.
 --
--- A sum of k lengths with signs keeps Σs as a + b: a is the floating-point sum, each step's exact loss (Knuth's two-sum)
--- and t are added to b. With A = Σs, every partial a is at most A(1 + ku), a loss at most uA(1 + ku), so b stays below
--- (k + 2)uA(1 + ku), and its 2k roundings lose at most k(k + 5)u²A(1 + 2ku). With the losses of the lengths, 8u²A, the
--- value is within (k² + 5k + 9)u²A(1 + 2^-30) of a + b for k < 2^20. A itself is computed with an error of kuA.
+-- A sum of k lengths with signs keeps Σs as a + b: a is the floating-point sum, each step's exact loss (Knuth's
+-- two-sum) and t are added to b. With A = Σs, every partial a is at most A(1 + ku), a loss at most uA(1 + ku), so b
+-- stays below (k + 2)uA(1 + ku), and its 2k roundings lose at most k(k + 5)u²A(1 + 2ku). With the losses of the
+-- lengths, 8u²A, the value is within (k² + 5k + 9)u²A(1 + 2^-30) of a + b for k < 2^20. A itself is computed with an
+-- error of kuA.
 
 -- | A length as the unevaluated sum of two Doubles, the second small. Not a number where there is none in their range.
 data Double2 = Double2 !Double !Double
@@ -66,21 +69,26 @@ machineLength x y
 {-# INLINE machineLength #-}
 
 -- | The length of the vector (x, y) times 2^−k; not a number unless it is zero or between 2^−400 and 2^400.
+--
+-- /Cost/ that of looking at the 128 leading bits, whatever the size of x and y.
+--
+-- /Laws/ see Note [The bounds of lengths and sums].
 scaledLength :: Int -> Integer -> Integer -> Double2
 scaledLength k x y
-  | square == 0 = Double2 0 0
-  | abs (bits + place - k) > 400 = Double2 notANumber notANumber
-  | otherwise = Double2 (encodeFloat (r `shiftR` 53) (place - k + 53)) (encodeFloat (r .&. (2 ^ (53 :: Int) - 1)) (place - k))
+  | longest == 0 = Double2 0 0
+  | abs (bits + place) > 400 = Double2 notANumber notANumber
+  | otherwise = Double2 (encodeFloat (r `shiftR` 53) (place + 53)) (encodeFloat (r .&. (2 ^ (53 :: Int) - 1)) place)
   where
-    square = x * x + y * y
-    -- An even shift that leaves 232 bits or more, so that the root has 116.
-    spare = max 0 (232 - bitLength square + 1)
-    shift = spare + spare `rem` 2
-    root = integerSquareRoot (square `shiftL` shift)
+    longest = bitLength x `max` bitLength y
+    -- To the left where there are fewer than 128 bits.
+    onto128 = 128 - longest
+    leading a = abs a `shift` onto128
+    root = integerSquareRoot (leading x * leading x + leading y * leading y)
     bits = 106
     surplus = bitLength root - bits
     r = root `shiftR` surplus
-    place = surplus - shift `quot` 2
+    -- The exponent of the last bit of r.
+    place = surplus - onto128 - k
     notANumber = 0 / 0 :: Double
 
 -- | The length of a vector of Doubles, like 'machineLength', as long as no square leaves the range of Doubles; but
@@ -118,18 +126,19 @@ plusLength !total (Double2 s t) k = go total k
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 -- Let S be the value of a sum, given as a + b within E (Note [The bounds of lengths and sums]), and D = d + d' twice a
 -- length, within 8u²D, |d'| <= 2ud. Two-sum makes a + b into x + x' exactly, |x'| <= ux. Only x > 4E is gone on with.
--- q = fl(x/d), and q·d = p + p' exactly; x − p is exact, and |x − qd| <= 1.01ux. r = x + x' − q(d + d') is computed with
--- roundings of numbers of at most 1.01ux, 2.1ux, 3.2ux and 4.3ux: the error is below 11u²x. q' = fl(r/d) has |q'| <= 4.4uq;
--- it loses 4.4u²q by rounding and 8.8u²q by leaving out d'. So q + q' is within 25u²q of (a + b)/(d + d'), hence within
--- E/d (1 + 8u) + 40u²q of S/D.
+-- q = fl(x/d), and q·d = p + p' exactly; x − p is exact, and |x − qd| <= 1.01ux. r = x + x' − q(d + d') is computed
+-- with roundings of numbers of at most 1.01ux, 2.1ux, 3.2ux and 4.3ux: the error is below 11u²x. q' = fl(r/d) has
+-- |q'| <= 4.4uq; it loses 4.4u²q by rounding and 8.8u²q by leaving out d'. So q + q' is within 25u²q of
+-- (a + b)/(d + d'), hence within E/d (1 + 8u) + 40u²q of S/D.
 -- Two-sum makes q + q' into h + g exactly. S/D lies between h + g − B and h + g + B; where both of these round to one
--- Double, so does S/D, because rounding is monotone. The sums g ± B are rounded themselves, by at most u(ug + B), which the
--- summand 4u²q and the factor 1 + 2^-20 in B cover, together with the roundings of the bounds.
--- Nothing here is near the ends of the range of Doubles: lengths are between 2^-400 and 2^400 or zero, a sum of less than
--- 2^20 lengths is below 2^420 and, where it exceeds 4E, above 2^-520; the quotient is looked at only from 2^-900 on.
+-- Double, so does S/D, because rounding is monotone. The sums g ± B are rounded themselves, by at most u(ug + B), which
+-- the summand 4u²q and the factor 1 + 2^-20 in B cover, together with the roundings of the bounds.
+-- Nothing here is near the ends of the range of Doubles: lengths are between 2^-400 and 2^400 or zero, a sum of less
+-- than 2^20 lengths is below 2^420 and, where it exceeds 4E, above 2^-520; the quotient is looked at only from 2^-900
+-- on.
 
--- | The Double nearest to a sum of lengths divided by twice a length, if the bound leaves no doubt which it is; 'Nothing'
--- for sums that are not surely positive.
+-- | The Double nearest to a sum of lengths divided by twice a length, if the bound leaves no doubt which it is;
+-- 'Nothing' for sums that are not surely positive.
 --
 -- /Laws/ it is that of the exact quotient.
 nearestHalfQuotient :: Sum2 -> Double2 -> Maybe Double

@@ -71,15 +71,19 @@ isTight exact (Double2 s t) =
 machineVector, divisor :: Gen (Int, Int)
 machineVector = (,) <$> coordinate <*> coordinate
   where
-    coordinate = oneof [choose (-20, 20), choose (-2 ^ (31 :: Int) + 1, 2 ^ (31 :: Int) - 1), elements [limit, -limit, limit - 1]]
+    coordinate = oneof [choose (-20, 20), choose (-limit, limit), elements [limit, -limit, limit - 1]]
     limit = 2 ^ (31 :: Int) - 1
 divisor = machineVector `suchThat` (/= (0, 0))
 
 hugeVector :: Gen (Int, Integer, Integer)
 hugeVector = do
-  k <- choose (40, 900)
-  let coordinate = choose (-2 ^ k, 2 ^ k)
-  (,,) k <$> coordinate <*> oneof [coordinate, choose (-9, 9)]
+  k <- oneof [choose (40, 900), choose (120, 136), choose (2000, 3000)]
+  -- Also coordinates that lose as much as can be where only leading bits are looked at.
+  let coordinate = oneof [choose (-2 ^ k, 2 ^ k), (2 ^ k -) <$> choose (1, 9)]
+      shorter = do
+        j <- choose (0, k)
+        choose (-2 ^ j, 2 ^ j)
+  (,,) k <$> coordinate <*> oneof [coordinate, shorter, choose (-9, 9)]
 
 signedVector :: Gen ((Int, Int), Int)
 signedVector = (,) <$> machineVector <*> choose (-6, 6)
