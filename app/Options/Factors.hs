@@ -45,13 +45,15 @@ factorOptions = combined <$> format <*> double <*> optional digitsGiven <*> deta
         (Just NearestDoubles)
         ( long "double"
             <> help
-              "Print the Double nearest to each form factor, as the shortest decimal that is read back as it. As exact as \
-              \the rest, and much faster."
+              "Print the Double nearest to each form factor, as the shortest decimal that is read back as it. As \
+              \exact as the rest, and much faster. A form factor of 2^-1075 or less is listed as 0; a side's length \
+              \beyond the range of Doubles is printed with 17 digits."
         )
     combined wanted (Just chosen) Nothing DecimalsOnly = Right (FactorOptions wanted chosen)
     combined _ (Just _) (Just _) _ = Left "--double prints Doubles: it goes without --digits"
     combined _ (Just _) Nothing WithExactMeasures = Left "--double prints Doubles: it goes without --exact"
-    combined wanted Nothing count detail = Right (FactorOptions wanted (Decimals (fromMaybe defaultDigits count) detail))
+    combined wanted Nothing count detail =
+      Right (FactorOptions wanted (Decimals (fromMaybe defaultDigits count) detail))
 
 digitsOption :: Parser Digits
 digitsOption = fromMaybe defaultDigits <$> optional digitsGiven

@@ -38,21 +38,30 @@ data Detail = DecimalsOnly | WithExactMeasures
 -- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
 -- not, exactly, and so has the text: the factors of the side add up to that.
 factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
-factorsDocument format detail wanted scene factors = document format (lengthText wanted scene) scene columns (map entry factors)
+factorsDocument format detail wanted scene factors =
+  document format (decimalBytes wanted . sideLength scene) scene columns (map entry factors)
   where
     columns = case detail of
       DecimalsOnly -> "from,to,value\n"
       WithExactMeasures -> "from,to,value,measure\n"
     entry factor =
-      Entry (factorFrom factor) (factorTo factor) (Bytes.pack (decimal wanted (factorValue factor))) $ case detail of
+      Entry (factorFrom factor) (factorTo factor) (decimalBytes wanted (factorValue factor)) $ case detail of
         DecimalsOnly -> Nothing
         WithExactMeasures -> Just (factorMeasure factor)
 
--- | The document of form factors rounded to Doubles, of the same shape. Values and lengths are the nearest Doubles, each
--- the shortest decimal that is read back as it.
+-- | The document of form factors rounded to Doubles, of the same shape. Values and lengths are the nearest Doubles,
+-- each the shortest decimal that is read back as it.
+--
+-- /Degenerate cases/ a length that no positive Double is near to, being too large or too small, is the decimal of
+-- 'defaultDigits' that 'factorsDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
 nearestDocument :: FactorFormat -> Scene -> [NearestRow] -> Builder
-nearestDocument format scene rows = document format (toShortest . nearestDouble . sideLength scene) scene "from,to,value\n" entries
+nearestDocument format scene rows = document format (lengthBytes . sideLength scene) scene "from,to,value\n" entries
   where
+    lengthBytes exact
+      | nearest > 0 && not (isInfinite nearest) = toShortest nearest
+      | otherwise = decimalBytes defaultDigits exact
+      where
+        nearest = nearestDouble exact
     entries = [Entry (rowFrom row) to (toShortest x) Nothing | row <- rows, (to, x) <- rowFactors row]
 
 -- | A form factor as it is written, and its measure where that is wanted.
@@ -65,8 +74,8 @@ document format lengthOf scene header entries = case format of
   FactorsJson -> Aeson.fromEncoding (json lengthOf scene entries) <> char7 '\n'
   FactorsText -> plain lengthOf scene entries
 
-lengthText :: Digits -> Scene -> SideName -> Bytes.ByteString
-lengthText wanted scene = Bytes.pack . decimal wanted . sideLength scene
+decimalBytes :: Digits -> RootSum -> Bytes.ByteString
+decimalBytes wanted = Bytes.pack . decimal wanted
 
 csvRow :: Entry -> Builder
 csvRow (Entry from to value measure) =
