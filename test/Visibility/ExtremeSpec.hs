@@ -6,7 +6,7 @@ import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import Data.ByteString.Builder (toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (sort)
+import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import Numeric (readFloat, readSigned)
@@ -63,6 +63,8 @@ spec = do
       it "has form factors that are printed in no time" $
         onScene raw $ \scene ->
           timeout 10000000 (evaluate (sum (map length (printed 40 scene)))) >>= (`shouldSatisfy` maybe False (> 0))
+      it "has the Doubles nearest to its form factors" $
+        onScene raw $ \scene -> doublesOf scene `shouldBe` roundedOf scene
   describe "an ordinary scene" $ do
     forM_ similarities $ \(name, map') ->
       it ("keeps its graph and its form factors, exactly and to the last digit, " <> name) $
@@ -89,11 +91,23 @@ spec = do
         onScene (facing (tiny k)) $ \scene -> do
           factorBetween scene 0 1 `isPrintedAs` hottel 1 (facingStrings (tiny k))
           factorBetween scene 1 0 `isPrintedAs` hottel (tiny k) (facingStrings (tiny k))
+    forM_ [300, 308, 310, 320, 323, 324, 330, 500] $ \k ->
+      it ("of about 1e-" <> show k <> " is the nearest Double, if that is subnormal or 0, and is listed") $ do
+        onScene (facing (tiny k)) $ \scene ->
+          nearestBetween scene 0 1 `shouldBe` rounded (hottel 1 (facingStrings (tiny k)))
+        onScene (slit (tiny k)) $ \scene ->
+          nearestBetween scene 0 3 `shouldBe` rounded (throughSlit (tiny k))
+    it "is subnormal at about 1e-310, and 0 at about 1e-330" $
+      onScene (slit (tiny 310)) $ \wider -> onScene (slit (tiny 330)) $ \narrower -> do
+        map (\x -> (x > 0, isDenormalized x)) (nearestBetween wider 0 3) `shouldBe` [(True, True)]
+        nearestBetween narrower 0 3 `shouldBe` [0]
     it "between walls 1e300 times as long and 1e300 times as far is that between the walls" $
       onFactor (onPoints (scaledTo huge huge) (facing (1 / 3))) 0 1 (decimal' 50)
         `shouldBe` onFactor (facing (1 / 3)) 0 1 (decimal' 50)
   where
     measuresIn scene = measures scene (vertices scene)
+    -- One Double, if both ends of an enclosure are rounded to it.
+    rounded (low, high) = nub [fromRational low, fromRational high]
     printed n scene = [maybe "" (`decimal` f) (digits n) | f <- Map.elems (factorsOf scene)]
 
 decimal' :: Int -> RootSum -> String
@@ -115,6 +129,11 @@ factorBetween scene from to =
     _ -> Nothing
   where
     wanted = (Obstacle from, Obstacle to)
+
+-- | The Doubles that stand for the form factors from one polygon to another.
+nearestBetween :: Scene -> Int -> Int -> [Double]
+nearestBetween scene from to =
+  [x | (SideName p _, TheSide (SideName q _), x) <- doublesOf scene, (p, q) == (Obstacle from, Obstacle to)]
 
 -- | Is a number positive, and every decimal of it within half a unit of its last digit of both ends of an enclosure
 -- that was found in another way?

@@ -174,9 +174,7 @@ spec = do
     measuresIn scene = measures scene (vertices scene)
     times k (Point x y) = Point (k * x) (k * y)
     triangle m n = [Point 0 0, Point (2 * m * n) 0, Point 0 (m * m - n * n)]
-    areNearest scene =
-      [(from, to, x) | NearestRow from found _ <- nearestFactors scene (measuresIn scene), (to, x) <- found]
-        === [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors scene (measuresIn scene)]
+    areNearest scene = doublesOf scene === roundedOf scene
     byLength scene f = case terms (sideLength scene (factorFrom f)) of
       [(c, n)] -> timesRoot c n (factorValue f)
       _ -> Nothing

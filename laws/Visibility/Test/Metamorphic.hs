@@ -24,6 +24,8 @@ module Visibility.Test.Metamorphic
   , factorsOf
   , renamedFactors
   , measuresOf
+  , doublesOf
+  , roundedOf
   ) where
 
 import Data.Bifunctor (bimap)
@@ -34,6 +36,7 @@ import qualified Data.Set as Set
 import Test.QuickCheck
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (RootSum)
+import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Raw
@@ -239,6 +242,15 @@ tableOf part scene =
   where
     target (TheSide s) = Just s
     target TheSky = Nothing
+
+-- | The form factors as Doubles, in their order: as 'nearestFactors' has them, and the exact ones rounded.
+doublesOf, roundedOf :: Scene -> [(SideName, Seen, Double)]
+doublesOf scene = [(from, to, x) | NearestRow from found _ <- nearestFactors scene swept, (to, x) <- found]
+  where
+    swept = measures scene (vertices scene)
+roundedOf scene = [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors scene swept]
+  where
+    swept = measures scene (vertices scene)
 
 renamedFactors :: (SideName -> SideName) -> Factors -> Factors
 renamedFactors f = Map.mapKeys (bimap f (fmap f))

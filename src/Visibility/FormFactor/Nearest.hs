@@ -4,7 +4,7 @@ module Visibility.FormFactor.Nearest
   , nearestFactors
   ) where
 
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.DoubleDouble
@@ -31,7 +31,8 @@ data NearestRow = NearestRow
 --
 -- /Degenerate cases/ those of 'formFactors'; a form factor of 2^−1075 or less is 0, but listed.
 --
--- /Cost/ O(1) per term, and an exact sum of roots where it is needed.
+-- /Cost/ O(1) per term, and an exact sum of roots where it is needed: where lengths cancel to less than about 2^−50 of
+-- themselves, as nearly all do in a scene that is 2^40 times as long as it is high.
 --
 -- /Laws/ the factors are those of 'formFactors', each the 'nearestDouble' of its value.
 nearestFactors :: Scene -> Measures -> [NearestRow]
@@ -41,29 +42,33 @@ nearestFactors scene (Measures terms) = [row r name | (r, TheSide name) <- zip [
     bound = V.length seen
     groups = byName scene terms
     rows = rowsOf bound groups
-    row r name = NearestRow name [(seen V.! other, x) | (other, x, _) <- found, x >= 0] (length [() | (_, _, True) <- found])
+    row r name = NearestRow name (mapMaybe listed found) (length [() | (_, Between _ _ InRoots) <- found])
       where
-        found = [(other, if other > r then x else y, hard) | (other, g) <- rows r, let (x, y, hard) = values U.! g]
-    values = U.generate (groupCount groups) nearest
+        found = [(other, between `at` g) | (other, g) <- rows r]
+        listed (other, Between x y _) = case if other > r then x else y of
+          Factor value -> Just (seen V.! other, value)
+          NoFactor -> Nothing
+    between = tableOf (groupCount groups) nearest
 
-    -- The form factors from the first object and from the second, −1 where there is none; and whether roots were needed.
-    nearest g = case (fromDoubles a, fromDoubles b) of
-      (Just x, Just y) -> (x, y, False)
-      (x, y) -> (fromMaybe (fromRoots a) x, fromMaybe (fromRoots b) y, True)
+    nearest g = case (inDoubles a, inDoubles b) of
+      (Just x, Just y) -> Between x y InDoubles
+      (x, y) -> Between (fromMaybe (inRoots a) x) (fromMaybe (inRoots b) y) InRoots
       where
         (a, b) = groupPair groups g
         sum2 = groupTerms (\sum2' slot -> plusLength sum2' (distances `lengthAt` slot)) noLengths groups g
         total = exactSum g
-        fromDoubles k
-          | k == bound - 1 = Just (-1)
-          | otherwise = nearestHalfQuotient sum2 (sideLengths `lengthAt` k)
-        fromRoots k = case seen V.! k of
-          TheSide name | not (null (RootSum.terms total)) -> nearestDouble (factorValue (formFactor scene name TheSky total))
-          _ -> -1
+        inDoubles k
+          | k == bound - 1 = Just NoFactor
+          | otherwise = Factor <$> nearestHalfQuotient sum2 (sideLengths `lengthAt` k)
+        inRoots k = case seen V.! k of
+          TheSide name | not (null (RootSum.terms total)) -> Factor (nearestDouble (valueFrom name))
+          _ -> NoFactor
+        valueFrom name = factorValue (formFactor scene name TheSky total)
     exactSum = groupSums scene terms groups
 
-    distances = lengthsOf (slotCount terms) $ \slot ->
-      let (a, b, _) = slotEnds terms slot in lengthOf (way (cornerAt scene (CornerId a)) (cornerAt scene (CornerId b)))
+    distances = lengthsOf (slotCount terms) (lengthOf . alongSlot)
+    alongSlot slot = let (a, b, _) = slotEnds terms slot in way (corner a) (corner b)
+    corner = cornerAt scene . CornerId
     sideLengths = lengthsOf (V.length spans) (lengthOf . (spans V.!))
     spans = V.fromList (map (sideSpan scene) (statedSides scene))
     -- All coordinates are below 2^reach.
@@ -73,6 +78,37 @@ nearestFactors scene (Measures terms) = [row r name | (r, TheSide name) <- zip [
       | w /= 1 = Double2 (0 / 0) (0 / 0)
       | reach <= 31 = machineLength (fromInteger x) (fromInteger y)
       | otherwise = scaledLength reach x y
+
+-- | What leaves one object of a pair and reaches the other, both ways, the first one's first.
+data Between = Between !Value !Value !Means
+
+-- | A form factor that is not exactly zero; the sky has none.
+data Value = NoFactor | Factor !Double
+
+-- | Whether sums of Doubles with their bounds told both, or an exact sum of roots was needed.
+data Means = InDoubles | InRoots
+  deriving (Eq)
+
+-- | A 'Between' for each group, unboxed.
+newtype Table = Table (U.Vector (Double, Double, Bool))
+
+tableOf :: Int -> (Int -> Between) -> Table
+tableOf n f = Table (U.generate n (\g -> let Between x y means = f g in (packed x, packed y, means == InRoots)))
+  where
+    packed NoFactor = absent
+    packed (Factor x) = x
+{-# INLINE tableOf #-}
+
+at :: Table -> Int -> Between
+at (Table rows) g = Between (unpacked x) (unpacked y) (if rooted then InRoots else InDoubles)
+  where
+    (x, y, rooted) = rows U.! g
+    unpacked v = if v == absent then NoFactor else Factor v
+{-# INLINE at #-}
+
+-- | Stands for 'NoFactor' in a table: no form factor is negative.
+absent :: Double
+absent = -1
 
 -- | Lengths by number.
 data Lengths = Lengths !(U.Vector Double) !(U.Vector Double)
