@@ -1,11 +1,10 @@
 module Visibility.RaySpec (spec) where
 
-import Data.Ratio ((%))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Complex.Law.Section (directionsFrom, isGeneric)
-import Visibility.Exact.Point (Point (..), Vector2 (..))
+import Visibility.Exact.Point (Point (..), coordinates)
 import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene

@@ -2,8 +2,8 @@
 
 -- | Form factors from lines in Doubles: at random, or as areas in the dual.
 --
--- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2 and
--- equation 4: the form factor is a ratio of measures of lines, du dθ.
+-- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2
+-- and equation 4: the form factor is a ratio of measures of lines, du dθ.
 module Visibility.Estimate.Lines
   ( randomLines
   , dualAreas
@@ -17,8 +17,8 @@ import Data.Word (Word64)
 import System.Random.SplitMix (SMGen, mkSMGen, nextDouble)
 import Visibility.Estimate.Matrix
 
--- | So many lines of a generator, uniform among those that meet a disc around the scene: each free piece of a line counts
--- for the two sides that it joins.
+-- | So many lines of a generator, uniform among those that meet a disc around the scene: each free piece of a line
+-- counts for the two sides that it joins.
 --
 -- /Cost/ O(n) for each line.
 randomLines :: Word64 -> Int -> Sides -> Matrix
@@ -36,8 +36,8 @@ randomLines seed count sides = matrixFrom (U.length (lengths sides)) (go (mkSMGe
           along sides (cos theta) (sin theta) (cx * sin theta - cy * cos theta + radius * (2 * b - 1)) weight put
           go generator'' (left - 1) put
 
--- | So many directions at equal distances, each with all its lines: between two corners' offsets the line sees the same,
--- so a direction gives exact widths, up to rounding.
+-- | So many directions at equal distances, each with all its lines: between two corners' offsets the line sees the
+-- same, so a direction gives exact widths, up to rounding.
 --
 -- /Cost/ O(n²) for each direction.
 dualAreas :: Int -> Sides -> Matrix
@@ -80,11 +80,13 @@ along sides !c !s !u !weight put = follow Nothing crossings
       where
         d = startX sides U.! i * s - startY sides U.! i * c - u
         d' = endX sides U.! i * s - endY sides U.! i * c - u
-        -- The solid is on the left: a side that comes from the right of the line has it behind. Offsets grow to the right.
+        -- The solid is on the left: a side that comes from the right of the line has it behind. Offsets grow to the
+        -- right.
         crossing = Crossing (meeting i) (if d > 0 then Leaves else Enters) (sideNumber sides U.! i)
     -- How far along the line a side is met: the same for both faces of a wall, which have the same ends.
     meeting i
-      | (startX sides U.! i, startY sides U.! i) <= (endX sides U.! i, endY sides U.! i) = between (startX, startY) (endX, endY)
+      | (startX sides U.! i, startY sides U.! i) <= (endX sides U.! i, endY sides U.! i) =
+          between (startX, startY) (endX, endY)
       | otherwise = between (endX, endY) (startX, startY)
       where
         between (ax, ay) (bx, by) =

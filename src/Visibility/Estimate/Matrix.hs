@@ -59,9 +59,10 @@ newtype Truth = Truth [((Int, Int), (Double, Double))]
 truthOf :: Scene -> [FormFactor] -> Truth
 truthOf scene factors =
   Truth
-    [ ((rank (factorFrom f), column (factorTo f)), (high, nearestDouble (factorValue f `RootSum.minus` RootSum.rational (toRational high))))
+    [ ((rank (factorFrom f), column (factorTo f)), (high, nearestDouble lacking))
     | f <- factors
     , let high = nearestDouble (factorValue f)
+    , let lacking = factorValue f `RootSum.minus` RootSum.rational (toRational high)
     ]
   where
     ranks = Map.fromList (zip (statedSides scene) [0 ..])
@@ -106,8 +107,8 @@ errorsOf (Truth exact) (Matrix n entries) =
       , high > 0
       ]
 
--- | The sides of free space in Doubles, in the file's coordinates: their ends, the solid on the left of the way from the
--- first to the second; the number of the side of the file that each is a piece of, and the lengths by that number.
+-- | The sides of free space in Doubles, in the file's coordinates: their ends, the solid on the left of the way from
+-- the first to the second; the number of the side of the file that each is a piece of, and the lengths by that number.
 data Sides = Sides
   { startX, startY, endX, endY :: !(U.Vector Double)
   , sideNumber :: !(U.Vector Int)

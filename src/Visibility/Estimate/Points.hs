@@ -61,11 +61,14 @@ seenFrom sides !i !t !count put =
         ry = ny * cos angle + ay * sin angle
         nearest !j !best !found
           | j >= n = found
-          | j /= i && (ux, uy, vx, vy) /= (x1, y1, x0, y0) && straddles && distance > 0 && distance < best = nearest (j + 1) distance (sideNumber sides U.! j)
+          | j /= i && not otherFace && straddles && distance > 0 && distance < best =
+              nearest (j + 1) distance (sideNumber sides U.! j)
           | otherwise = nearest (j + 1) best found
           where
             (ux, uy, vx, vy) = ends j
-            -- The other face of a wall is in the same place. On which side of the ray the ends are; a ray meets a side from its free flank.
+            -- The other face of a wall is in the same place.
+            otherFace = (ux, uy, vx, vy) == (x1, y1, x0, y0)
+            -- On which side of the ray the ends are; a ray meets a side from its free flank.
             a = rx * (uy - py) - ry * (ux - px)
             b = rx * (vy - py) - ry * (vx - px)
             straddles = a > 0 && b <= 0

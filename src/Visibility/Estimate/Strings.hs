@@ -19,8 +19,8 @@ import Visibility.FormFactor.Terms
 import Visibility.Scene
 import Visibility.Sweep (Piece)
 
--- | Each form factor as a sum of distances in Doubles, in the order of the sweep, divided by twice the length of a side.
--- Nothing is said of the error.
+-- | Each form factor as a sum of distances in Doubles, in the order of the sweep, divided by twice the length of a
+-- side. Nothing is said of the error.
 --
 -- /Cost/ O(1) per elementary pair.
 plainStrings :: Scene -> [Piece] -> Matrix
@@ -39,8 +39,9 @@ plainStrings scene pieces = matrixFrom n $ eachPair n groups $ \g from ->
 -- /Cost/ O(1) per elementary pair.
 compensatedStrings :: Scene -> [Piece] -> Matrix
 compensatedStrings scene pieces = matrixFrom n $ eachPair n groups $ \g from ->
-  halfQuotientDouble (groupTerms (\total slot -> plusLength total (distances V.! slot)) noLengths groups g) (halves V.! from)
+  halfQuotientDouble (groupTerms longer noLengths groups g) (halves V.! from)
   where
+    longer total slot = plusLength total (distances V.! slot)
     terms = termsInPieces scene pieces
     groups = byName scene terms
     n = V.length halves

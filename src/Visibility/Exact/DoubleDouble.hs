@@ -37,10 +37,11 @@ import Visibility.Exact.IntegerRoot (bitLength, integerSquareRoot)
 -- 8u²N, and |e| <= 3.1uN. From √N = s + e/(2s) − e²/(8s³) + …, t = fl(e/(2s)) is off by at most
 -- (8u²N)/(2s) + 1.6u²s + 1.3u²s < 8u²ℓ.
 --
--- 'scaledLength' keeps the 128 leading bits of the longer coordinate and the same places of the other one, in units of
--- the last place kept: the vector is 2^127 or longer, and each coordinate loses less than 1. So the length loses less
--- than √2 (triangle inequality), the integer root of the sum of squares less than 1 more: less than 2^-125 of it. The
--- root has 128 or 129 bits; truncating it to 106 loses at most 2^-105. Together that is below 3u², and t < 2^-52 s.
+-- 'scaledLength' keeps the 128 leading bits, or up to two more, of the longer coordinate and the same places of the other
+-- one, in units of the last place kept: the vector is 2^127 or longer, and each coordinate loses less than 1 (a shift to
+-- the right and then a division by w round down once: floor(floor(a/2^s)/w) is floor(a/(2^s w))). So the length loses
+-- less than √2 (triangle inequality), the integer root of the sum of squares less than 1 more: less than 2^-125 of it.
+-- The root has 128 bits or more; truncating it to 106 loses at most 2^-105. Together that is below 3u², and t < 2^-52 s.
 --
 -- A sum of k lengths with signs keeps Σs as a + b: a is the floating-point sum, each step's exact loss (Knuth's
 -- two-sum) and t are added to b. With A = Σs, every partial a is at most A(1 + ku), a loss at most uA(1 + ku), so b
@@ -68,21 +69,23 @@ machineLength x y
     e = ((h - p) - p') + l
 {-# INLINE machineLength #-}
 
--- | The length of the vector (x, y) times 2^−k; not a number unless it is zero or between 2^−400 and 2^400.
+-- | The length of the vector (x, y) / w times 2^−k; not a number unless it is zero or between 2^−400 and 2^400.
+--
+-- /Requires/ w > 0.
 --
 -- /Cost/ that of looking at the 128 leading bits, whatever the size of x and y.
 --
 -- /Laws/ see Note [The bounds of lengths and sums].
-scaledLength :: Int -> Integer -> Integer -> Double2
-scaledLength k x y
+scaledLength :: Int -> Integer -> Integer -> Integer -> Double2
+scaledLength k x y w
   | longest == 0 = Double2 0 0
   | abs (bits + place) > 400 = Double2 notANumber notANumber
   | otherwise = Double2 (encodeFloat (r `shiftR` 53) (place + 53)) (encodeFloat (r .&. (2 ^ (53 :: Int) - 1)) place)
   where
     longest = bitLength x `max` bitLength y
     -- To the left where there are fewer than 128 bits.
-    onto128 = 128 - longest
-    leading a = abs a `shift` onto128
+    onto128 = 128 - longest + if w == 1 then 0 else bitLength w
+    leading a = let moved = abs a `shift` onto128 in if w == 1 then moved else moved `quot` w
     root = integerSquareRoot (leading x * leading x + leading y * leading y)
     bits = 106
     surplus = bitLength root - bits

@@ -86,7 +86,8 @@ exactSums scene terms groups =
 
 -- | The measure of a group, in the file's units, terms merged.
 groupSums :: Scene -> Terms -> Groups -> Int -> RootSum
-groupSums scene terms groups g = RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
+groupSums scene terms groups g =
+  RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
   where
     scale = latticeScale (sceneLattice scene)
     found = groupTerms weigh [] groups g
@@ -101,7 +102,8 @@ data Distance = Distance !Integer !Integer !RootSum.PreparedRoot
 -- | The distance of a slot in lengths of the primitive lattice vector along the line of its vertex: between whole points
 -- t is an integer multiple of one root.
 rootAlong :: Scene -> (Int, Int, Int) -> Distance
-rootAlong scene (a, b, c) = Distance (if px == 0 then y `quot` py else x `quot` px) w (RootSum.preparedRoot (px * px + py * py))
+rootAlong scene (a, b, c) =
+  Distance (if px == 0 then y `quot` py else x `quot` px) w (RootSum.preparedRoot (px * px + py * py))
   where
     from i = cornerAt scene (CornerId a) `way` cornerAt scene (CornerId i)
     Way (Vector2 x y) w = from b

@@ -72,12 +72,13 @@ nearestFactors scene (Measures terms) = [row r name | (r, TheSide name) <- zip [
     sideLengths = lengthsOf (V.length spans) (lengthOf . (spans V.!))
     spans = V.fromList (map (sideSpan scene) (statedSides scene))
     -- All coordinates are below 2^reach.
-    reach = maximum (0 : map size (V.toList spans) <> [max (bitLength x) (bitLength y) | LatticePoint x y _ <- map (cornerAt scene) (corners scene)])
-    size (Way (Vector2 x y) _) = max (bitLength x) (bitLength y)
+    reach = maximum (0 : map size (V.toList spans) <> map (size . inPlace . cornerAt scene) (corners scene))
+    inPlace (LatticePoint x y w) = Way (Vector2 x y) w
+    size (Way (Vector2 x y) w) = max (bitLength x) (bitLength y) - bitLength w + 1
+    areWhole = all (isWhole . cornerAt scene) (corners scene)
     lengthOf (Way (Vector2 x y) w)
-      | w /= 1 = Double2 (0 / 0) (0 / 0)
-      | reach <= 31 = machineLength (fromInteger x) (fromInteger y)
-      | otherwise = scaledLength reach x y
+      | areWhole && reach <= 31 = machineLength (fromInteger x) (fromInteger y)
+      | otherwise = scaledLength reach x y w
 
 -- | What leaves one object of a pair and reaches the other, both ways, the first one's first.
 data Between = Between !Value !Value !Means

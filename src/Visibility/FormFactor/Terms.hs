@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | What each vertex of the complex adds to the measures of the lines between objects, as a stream of vertices tells it.
+-- | What each vertex of the complex adds to the measures of the lines between objects, as a stream of vertices tells
+-- it.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2
 -- (measure of a face as an area in the dual); Hottel (string rule).
@@ -40,9 +41,9 @@ import Visibility.Sweep.Vertical (skyCode, solid)
 -- face lies below the curve. Sorted by vertices instead of edges: at a vertex of direction d each corner c on the line
 -- adds ±t_c(d) for its faces before the vertex and takes it away for its faces after it. A face that meets the vertex
 -- has there, before and after together, as many upper as lower incidences, counted with these signs. So t may be
--- measured from any point of the line, and the first corner is taken. The half turn begins and ends with the same lines,
--- read the other way: t changes its sign, above and below change places, and both contributions cancel. So the cut at
--- ±90° adds nothing.
+-- measured from any point of the line, and the first corner is taken. The half turn begins and ends with the same
+-- lines, read the other way: t changes its sign, above and below change places, and both contributions cancel. So the
+-- cut at ±90° adds nothing.
 
 -- Under an open sky the lines that miss everything have no finite measure; that pair is left out.
 
@@ -94,7 +95,8 @@ piecewise scene sights !base piece = do
       before <- forM line look
       turnThrough scene sights vertex
       after <- forM line look
-      let others = [x | x@(c, _, _) <- drop 1 (zip3 line before after), not (samePlace scene (CornerId first) (CornerId c))]
+      let elsewhere c = not (samePlace scene (CornerId first) (CornerId c))
+          others = [x | x@(c, _, _) <- drop 1 (zip3 line before after), elsewhere c]
       zipWithM_ (\k (c, _, _) -> M.write ends (k - base) (int first, int c, int final)) [slot ..] others
       used' <- foldM (\u (k, (c, b, a)) -> changes u k c b a) used (zip [slot ..] others)
       pure (used', slot + length others)

@@ -36,7 +36,11 @@ spec = do
         let sides = sidesIn (sampleScene s)
             first = randomLines 3 100 sides
          in [entryAt first r c | r <- [0 .. matrixSize first - 1], c <- [0 .. matrixSize first]]
-              === [entryAt (randomLines 3 100 sides) r c | r <- [0 .. matrixSize first - 1], c <- [0 .. matrixSize first]]
+              === [ entryAt (randomLines 3 100 sides) r c
+                  | r <- [0 .. matrixSize first - 1]
+                  , c <- [0 .. matrixSize first]
+                  ]
   where
     -- At least the radius of the disc that lines are taken from.
-    reach sides = U.maximum (startX sides) - U.minimum (startX sides) + U.maximum (startY sides) - U.minimum (startY sides)
+    reach sides = extent (startX sides) + extent (startY sides)
+    extent xs = U.maximum xs - U.minimum xs

@@ -17,11 +17,17 @@ spec = modifyMaxSuccess (* 20) $ do
         isTight (hypotenuse 1 (toInteger x) (toInteger y)) (machineLength x y)
     it "is so for huge vectors, scaled" $
       forAll hugeVector $ \(k, x, y) ->
-        isTight (scaled (1 / 2 ^ k) (hypotenuse 1 x y)) (scaledLength k x y)
+        isTight (scaled (1 / 2 ^ k) (hypotenuse 1 x y)) (scaledLength k x y 1)
+    it "is so for vectors with a denominator" $
+      forAll ((,) <$> hugeVector <*> choose (1, 2 ^ (60 :: Int))) $ \((k, x, y), w) ->
+        let far = 2 ^ (60 :: Int)
+         in isTight
+              (scaled (1 / (2 ^ k * fromInteger w)) (hypotenuse 1 x y))
+              (scaledLength (k - 60) (far * x) (far * y) (far * far * w))
     it "is no number where it is out of range" $ do
-      scaledLength 0 (2 ^ (500 :: Int)) 1 `shouldSatisfy` noNumber
-      scaledLength 500 1 1 `shouldSatisfy` noNumber
-      scaledLength 7 0 0 `shouldBe` Double2 0 0
+      scaledLength 0 (2 ^ (500 :: Int)) 1 1 `shouldSatisfy` noNumber
+      scaledLength 500 1 1 1 `shouldSatisfy` noNumber
+      scaledLength 7 0 0 1 `shouldBe` Double2 0 0
   describe "a sum of lengths" $ do
     it "lies in its enclosure" $
       forAll (listOf signedVector) $ \signed ->
@@ -42,8 +48,8 @@ spec = modifyMaxSuccess (* 20) $ do
                 <> [counterexample (show x) (fmap nearestDouble exact == Just x) | Just x <- [double]]
     it "is in doubt exactly between two Doubles, and just beside the middle" $ do
       -- (2^54 - 1) / 2^55 has 54 digits; the length of (2^54, 0) is a Double.
-      let by = scaledLength 54 (2 ^ (54 :: Int)) 0
-          near n = plusLength (plusLength noLengths (scaledLength 54 (2 ^ (54 :: Int)) 0) 1) (scaledLength 54 n 0) (-1)
+      let by = scaledLength 54 (2 ^ (54 :: Int)) 0 1
+          near n = plusLength (plusLength noLengths (scaledLength 54 (2 ^ (54 :: Int)) 0 1) 1) (scaledLength 54 n 0 1) (-1)
       nearestHalfQuotient (near 1) by `shouldBe` Nothing
       nearestHalfQuotient (near 2) by `shouldBe` Just (fromRational ((2 ^ (54 :: Int) - 2) % 2 ^ (55 :: Int)))
     it "is in doubt for a sum that may be zero" $

@@ -4,7 +4,7 @@ import Data.List (inits, sortBy)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
-import Visibility.Exact.Point (Vector2 (..))
+import Visibility.Exact.Point (coordinates)
 import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene
