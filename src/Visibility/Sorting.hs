@@ -3,6 +3,7 @@ module Visibility.Sorting
   ( -- * Sorting
     sortedBy
   , runs
+  , denseRanks
     -- * Buckets
   , Buckets
   , bucketsBy
@@ -18,6 +19,7 @@ module Visibility.Sorting
 import Control.Monad (forM_)
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.Int (Int32)
+import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 
@@ -36,6 +38,16 @@ sortedBy bound part items = U.create $ do
     M.write places (part item) (place + 1)
   pure sorted
 {-# INLINE sortedBy #-}
+
+-- | By item, how many smaller items there are, equal ones counted once; items are numbered from 0.
+--
+-- /Cost/ O(n log n) comparisons.
+denseRanks :: (Int -> Int -> Ordering) -> Int -> U.Vector Int32
+denseRanks order n = U.update_ (U.replicate n 0) sorted (U.take n (U.scanl' (+) 0 steps))
+  where
+    sorted = U.modify (Intro.sortBy order) (U.enumFromN 0 n)
+    steps = U.zipWith (\i j -> if order i j == EQ then 0 else 1) sorted (U.drop 1 sorted)
+{-# INLINE denseRanks #-}
 
 -- | Where runs of equal parts begin, and the number of items.
 --

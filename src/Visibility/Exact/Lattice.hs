@@ -31,6 +31,7 @@ module Visibility.Exact.Lattice
   , placeAt
   , placeCount
   , placeList
+  , comparePlacesAt
   , rearranged
   ) where
 
@@ -183,6 +184,12 @@ placeCount (LargePlaces points) = V.length points
 -- | All points in order.
 placeList :: Places -> [LatticePoint]
 placeList places = map (placeAt places) [0 .. placeCount places - 1]
+
+-- | The order of two of them.
+comparePlacesAt :: Places -> Int -> Int -> Ordering
+comparePlacesAt (SmallPlaces xs) i j = compare (xs U.! (2 * i)) (xs U.! (2 * j)) <> compare (xs U.! (2 * i + 1)) (xs U.! (2 * j + 1))
+comparePlacesAt (LargePlaces points) i j = comparePlaces (points V.! i) (points V.! j)
+{-# INLINE comparePlacesAt #-}
 
 -- | The points at these indices.
 rearranged :: U.Vector Int32 -> Places -> Places

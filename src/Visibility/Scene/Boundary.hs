@@ -25,8 +25,8 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
-import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes
 import Visibility.Scene.Contact
@@ -220,7 +220,8 @@ freeCorners o found =
     faces = U.fromList (exposed o found)
     (froms, tos, sides) = U.unzip3 faces
     total = U.length faces
-    places = placeNumbers o
+    places = denseRanks (comparePlacesAt stated) (placeCount stated)
+    stated = pointPlaces (rankedPoints (outlineRanked o))
     placeTotal = if U.null places then 0 else 1 + fromIntegral (U.maximum places)
     placeOfCorner i = fromIntegral (places U.! i)
     -- By place: the faces that begin there.
@@ -255,17 +256,6 @@ freeCorners o found =
     isOnFlankOf i f = any ((== ownerOf o i) . fromIntegral . sideOwner) [f, leaders U.! f]
     sideOwner f = sideOwners U.! fromIntegral (sides U.! f)
     sideOwners = ownersFrom (sideFirsts o)
-
--- | The places of stated corners by number, in lexicographic order.
-placeNumbers :: Outline -> U.Vector Int32
-placeNumbers o = U.update_ (U.replicate total 0) order numbers
-  where
-    r = outlineRanked o
-    total = cornerTotal r
-    order = U.modify (Intro.sortBy earlier) (U.enumFromN 0 total)
-    earlier a b = compare (column r a) (column r b) <> compare (row r a) (row r b)
-    numbers = U.take total (U.scanl' (+) 0 (U.zipWith step order (U.drop 1 order)))
-    step i j = if samePlace r i j then 0 else 1
 
 -- | The order of directions from a place, each given by the place and another one: counter-clockwise, from the one that
 -- leads down, and from there on to the right.

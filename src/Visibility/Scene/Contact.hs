@@ -19,11 +19,11 @@ module Visibility.Scene.Contact
 
 import Data.Int (Int32)
 import qualified Data.Vector as V
-import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes (Box (..))
+import Visibility.Sorting (denseRanks)
 
 -- | Corners by index, with the ranks of their coordinates: a comparison of ranks is a comparison of coordinates.
 data Ranked = Ranked
@@ -36,8 +36,9 @@ data Ranked = Ranked
 ranked :: Places -> Ranked
 ranked places = Ranked (pointsOn Filtered places) $ case places of
   SmallPlaces xs -> xs
-  LargePlaces points -> interleaved (ranks (V.map (fst . coordinates) points)) (ranks (V.map (snd . coordinates) points))
+  LargePlaces points -> interleaved (ranksOf (V.map (fst . coordinates) points)) (ranksOf (V.map (snd . coordinates) points))
   where
+    ranksOf table = denseRanks (\i j -> compare (table V.! i) (table V.! j)) (V.length table)
     interleaved xs ys = U.generate (2 * U.length xs) (\k -> (if even k then xs else ys) U.! (k `quot` 2))
 
 -- | The number of corners.
@@ -50,14 +51,6 @@ column r i = fromIntegral (rankTable r U.! (2 * i))
 row r i = fromIntegral (rankTable r U.! (2 * i + 1))
 {-# INLINE column #-}
 {-# INLINE row #-}
-
--- Equal numbers have equal ranks.
-ranks :: V.Vector Rational -> U.Vector Int32
-ranks table = U.update_ (U.replicate (V.length table) 0) sorted dense
-  where
-    sorted = U.modify (Intro.sortBy (\i j -> compare (table V.! i) (table V.! j))) (U.enumFromN 0 (V.length table))
-    steps = U.zipWith (\i j -> if table V.! i == table V.! j then 0 else 1) sorted (U.drop 1 sorted)
-    dense = U.take (V.length table) (U.scanl' (+) 0 steps)
 
 -- | Are two corners in one place?
 samePlace :: Ranked -> Int -> Int -> Bool

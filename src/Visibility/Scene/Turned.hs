@@ -27,35 +27,36 @@ quarterTurned :: Scene -> (Scene, U.Vector Int32)
 quarterTurned scene = (turned, olds)
   where
     n = cornerCount scene
-    points = scenePoints scene
     -- Of all stated corners too, so that no coordinate is negative there.
     width = maximum (0 : [ceilingOf p | p <- placeList (statedPlaces stated)])
     ceilingOf (LatticePoint x _ w) = (x + w - 1) `quot` w
-    onLattice (LatticePoint x y w) = LatticePoint y (width * w - x) w
+    turnedPlaces = placesFrom . map (\(LatticePoint x y w) -> LatticePoint y (width * w - x) w) . placeList
+    turnedCorners = turnedPlaces (pointPlaces (scenePoints scene))
     -- The corners of the scene in the lexicographic order of the turned one, and their places in it.
     olds = U.map fromIntegral order
     order = U.modify (Intro.sortBy earlier) (U.enumFromN 0 n)
     news = U.update_ (U.replicate n 0) order (U.enumFromN 0 n) :: U.Vector Int32
     earlier c d
       | samePlace scene (CornerId c) (CornerId d) = compare c d
-      | otherwise = downwards (pointAt points c) (pointAt points d)
+      | otherwise = comparePlacesAt turnedCorners c d
     neighbour part i = fromIntegral (news U.! (let CornerId j = part scene (CornerId (order U.! i)) in j))
     ofOld table = U.map (table U.!) order
     Lattice scale (Vector2 originX originY) = sceneLattice scene
     stated = sceneStated scene
     -- By the old number of a place, the new one.
-    places = placeNumbersBy downwards (statedPlaces stated)
+    places = denseRanks (comparePlacesAt turnedStated) (placeCount turnedStated)
+    turnedStated = turnedPlaces (statedPlaces stated)
     renumbered = U.update_ (U.replicate (U.length places) 0) (U.map fromIntegral (statedPlaceNumbers scene)) places
     facing = ofOld (facedSides scene)
     turned =
       scene
         { sceneLattice = Lattice scale (Vector2 originY (negate width - originX))
-        , scenePoints = pointsOn (sceneArithmetic scene) (placesFrom [onLattice (pointAt points c) | c <- U.toList order])
+        , scenePoints = pointsOn (sceneArithmetic scene) (rearranged olds turnedCorners)
         , neighbourTable =
             U.generate (2 * n) (\k -> neighbour (if even k then nextCorner else previousCorner) (k `div` 2))
         , placeNumbers = U.map ((renumbered U.!) . fromIntegral) (ofOld (placeNumbers scene))
         , splitEnds = if U.null (splitEnds scene) then U.empty else ofOld (splitEnds scene)
-        , sceneStated = stated {statedPlaces = placesFrom (map onLattice (placeList (statedPlaces stated)))}
+        , sceneStated = stated {statedPlaces = turnedStated}
         , statedPlaceNumbers = places
         , namingCorners = ofOld (namingCorners scene)
         , facedSides = facing
@@ -64,16 +65,3 @@ quarterTurned scene = (turned, olds)
         , scenePolygons =
             [p {polygonPoints = [Point y (negate x) | Point x y <- polygonPoints p]} | p <- scenePolygons scene]
         }
-
--- | The order of places in the turned scene: upwards, and from right to left.
-downwards :: LatticePoint -> LatticePoint -> Ordering
-downwards (LatticePoint x y w) (LatticePoint x' y' w') = comparePlaces (LatticePoint y (negate x) w) (LatticePoint y' (negate x') w')
-
--- | By point, the number of its place in such an order.
-placeNumbersBy :: (LatticePoint -> LatticePoint -> Ordering) -> Places -> U.Vector Int32
-placeNumbersBy order places = U.update_ (U.replicate total 0) sorted numbers
-  where
-    total = placeCount places
-    sorted = U.modify (Intro.sortBy (\i j -> order (placeAt places i) (placeAt places j))) (U.enumFromN 0 total)
-    numbers = U.take total (U.scanl' (+) 0 (U.zipWith step sorted (U.drop 1 sorted)))
-    step i j = if placeAt places i == placeAt places j then 0 else 1

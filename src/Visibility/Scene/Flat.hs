@@ -1,0 +1,161 @@
+-- | A scene with flat corners on its sides, which cut them into elements.
+module Visibility.Scene.Flat
+  ( withFlatCorners
+  ) where
+
+import Data.Int (Int32)
+import Data.List (sortBy)
+import qualified Data.Vector as V
+import qualified Data.Vector.Algorithms.Intro as Intro
+import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Point
+import Visibility.Scene.Id
+import Visibility.Scene.Outline (ownersFrom)
+import Visibility.Scene.Stated
+import Visibility.Scene.Type
+import Visibility.Sorting
+
+-- | The same scene with corners between the ends of its sides: those that are given for a side or a piece of one, in
+-- order from its start to its end. All that is uncovered of a polygon's sides is cut into elements. In the new scene
+-- the elements of a polygon count as its sides, numbered from 0: side by side, and along each side as the file has it.
+-- A polygon's corners keep their names, and the new ones are numbered on after them, in the order of the elements.
+--
+-- Nothing else changes: where solid is and where free space, what touches, the lattice. A new corner has a denominator
+-- of its own, and the polygons are stated as they were.
+--
+-- /Degenerate cases/ the two faces of a thin wall have corners of their own. What is covered of a side is no element.
+--
+-- /Requires/ points strictly between the ends of each piece. /Cost/ O(n log n) in the corners of the new scene.
+--
+-- /Laws/ it obeys all laws of a scene; the measures of a side's elements add up to those of the side.
+withFlatCorners :: (SideId -> [Point]) -> Scene -> Scene
+withFlatCorners cuts scene =
+  scene
+    { scenePoints = points
+    , neighbourTable = neighbours
+    , placeNumbers = places
+    , hasSharedPlaces = hasSharedPlaces scene || U.or (U.zipWith (==) places (U.drop 1 places))
+    , splitEnds = splitEndsOf points neighbours
+    , sceneStated = stated
+    , statedPlaceNumbers = statedNumbers
+    , namingCorners = U.map (names U.!) sorted
+    , facedSides = faced
+    , statedByPlace = bucketsOf statedNumbers
+    , piecesBySide = bucketsBy (statedSideTotal stated) faced
+    }
+  where
+    walks = walksThrough cuts scene
+    total = V.length (spots walks)
+    -- Corners in one place stay in their order, those of one face of a wall before those of the other.
+    sorted = U.modify (Intro.sortBy (\a b -> compareSpots walks a b <> compare a b)) (U.enumFromN 0 total)
+    ranks = U.update_ (U.replicate total 0) sorted (U.enumFromN 0 total) :: U.Vector Int32
+    points = pointsOn (sceneArithmetic scene) (placesFrom [spots walks V.! c | c <- U.toList sorted])
+    neighbours = neighboursAlong (U.map (\c -> ranks U.! (follower walks U.! c)) sorted)
+    elements = elementStarts scene walks
+    (stated, names) = statedAnew scene walks elements
+    faced = U.map (byStart U.!) sorted
+    byStart = U.update_ (U.replicate total 0) elements (U.enumFromN 0 (U.length elements))
+    statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
+    places = U.map (\c -> statedNumbers U.! fromIntegral (names U.! c)) sorted
+
+-- | The boundary of free space with its new corners. The old corners keep their numbers here, and the new ones come after
+-- them, piece by piece.
+data Walks = Walks
+  { spots :: !(V.Vector LatticePoint)
+  , piece :: !(U.Vector Int)
+  -- ^ The old corner that starts the piece which a corner starts an element of.
+  , chains :: !(V.Vector [Int])
+  -- ^ By old corner: the corners at which elements of its piece start, from itself on.
+  , follower :: !(U.Vector Int)
+  , oldTotal :: !Int
+  }
+
+walksThrough :: (SideId -> [Point]) -> Scene -> Walks
+walksThrough cuts scene =
+  Walks
+    { spots = V.fromList (map (cornerAt scene) (corners scene) <> concat (V.toList flats))
+    , piece = byCorner (concat [s <$ chain s | s <- olds])
+    , chains = V.fromList (map chain olds)
+    , follower = byCorner (concat [drop 1 (chain s) <> [end s] | s <- olds])
+    , oldTotal = n
+    }
+  where
+    n = cornerCount scene
+    olds = [0 .. n - 1]
+    flats = V.fromList (map (map (ontoLattice (sceneLattice scene)) . cuts) (sides scene))
+    firsts = U.scanl' (+) n (U.generate n (\s -> length (flats V.! s)))
+    chain s = s : [firsts U.! s .. firsts U.! (s + 1) - 1]
+    end s = let CornerId c = sideEnd scene (SideId s) in c
+    byCorner = U.update_ (U.replicate (U.last firsts) 0) (U.fromList (concatMap chain olds)) . U.fromList
+
+compareSpots :: Walks -> Int -> Int -> Ordering
+compareSpots walks a b = comparePlaces (spots walks V.! a) (spots walks V.! b)
+
+-- | The corners at which elements start, in the order of the file.
+elementStarts :: Scene -> Walks -> U.Vector Int
+elementStarts scene walks = U.fromList (concatMap alongSide [0 .. statedSideTotal stated - 1])
+  where
+    stated = sceneStated scene
+    alongSide side = concatMap along (sortBy order (bucketOf (piecesBySide scene) side))
+      where
+        forward = sideDirection stated side
+        order = case forward of
+          LT -> compareSpots walks
+          _ -> flip (compareSpots walks)
+        along s = if pieceDirection scene walks s == forward then chains walks V.! s else reverse (chains walks V.! s)
+
+-- | How the first end of a side of the file compares with the second.
+sideDirection :: Stated -> Int -> Ordering
+sideDirection stated side = comparePlacesAt (statedPlaces stated) (end 0) (end 1)
+  where
+    end k = fromIntegral (statedSideEnds stated U.! (2 * side + k))
+
+-- | How the first end of a piece compares with the second, in the order of the walk.
+pieceDirection :: Scene -> Walks -> Int -> Ordering
+pieceDirection scene walks s = compareSpots walks s end
+  where
+    CornerId end = sideEnd scene (SideId s)
+
+-- | What is stated of the new scene, with the elements as sides; and by corner, the stated corner that names it.
+statedAnew :: Scene -> Walks -> U.Vector Int -> (Stated, U.Vector Int32)
+statedAnew scene walks elements = (stated, names)
+  where
+    old = sceneStated scene
+    n = oldTotal walks
+    oldSide c = fromIntegral (facedSides scene U.! (piece walks U.! c)) :: Int
+    owner c = statedSideOwners old U.! oldSide c
+    polygons = [0 .. V.length (statedIds old) - 1]
+    newcomers = U.filter (>= n) elements
+    added = bucketsBy (length polygons) (U.map owner newcomers)
+    -- Of each polygon, the old corners and then the new ones.
+    oldMembers p = [statedFirsts old U.! p .. statedFirsts old U.! (p + 1) - 1]
+    newMembers p = map (newcomers U.!) (bucketOf added p)
+    firsts = U.fromList (scanl (+) 0 [length (oldMembers p) + length (newMembers p) | p <- polygons])
+    numbering members skipped size =
+      U.update_
+        (U.replicate size 0)
+        (U.fromList (concatMap members polygons))
+        (U.fromList (concat [zipWith const [fromIntegral (firsts U.! p + skipped p) ..] (members p) | p <- polygons]))
+        :: U.Vector Int32
+    oldNumbers = numbering oldMembers (const 0) (statedTotal old)
+    newNumbers = numbering newMembers (length . oldMembers) (V.length (spots walks))
+    names = U.generate (V.length (spots walks)) $ \c ->
+      if c < n then oldNumbers U.! fromIntegral (namingCorners scene U.! c) else newNumbers U.! c
+    placesOf p = map (placeAt (statedPlaces old)) (oldMembers p) <> map (spots walks V.!) (newMembers p)
+    sideFirsts =
+      U.scanl' (+) 0 (U.accumulate (+) (U.replicate (length polygons) 0) (U.map (\c -> (fromIntegral (owner c), 1)) elements))
+    stated =
+      old
+        { statedPlaces = placesFrom (concatMap placesOf polygons)
+        , statedFirsts = firsts
+        , statedOwners = ownersFrom firsts
+        , statedSideFirsts = sideFirsts
+        , statedSideOwners = ownersFrom sideFirsts
+        , statedSideEnds = U.fromList (concatMap ends (U.toList elements))
+        , statedMaterials = V.fromList [statedMaterials old V.! oldSide c | c <- U.toList elements]
+        }
+    ends c
+      | pieceDirection scene walks (piece walks U.! c) == sideDirection old (oldSide c) = both
+      | otherwise = reverse both
+      where
+        both = [names U.! c, names U.! (follower walks U.! c)]
