@@ -1,3 +1,4 @@
+{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Exact numbers as files spell them: decimals, integers and fractions.
@@ -5,21 +6,23 @@ module Visibility.Format.Number
   ( -- * Reading
     NumberFault (..)
   , readNumber
+  , readSpelled
   , exponentLimit
     -- * Writing
   , decimalText
   , numberText
   ) where
 
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Char (isDigit)
+import Data.Char (digitToInt, isDigit)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import Data.Text (Text)
-import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Visibility.Exact.Rounding (rationalText)
+import Visibility.Format.Bytes
 
 -- | Why a text is not an exact number.
 data NumberFault
@@ -47,14 +50,47 @@ exponentLimit = 400
 -- >>> map readNumber ["1e-3", "-7/2", "1e-400", "1e401", "1/-2"]
 -- [Right (1 % 1000),Right ((-7) % 2),Right (1 % 1000…000),Left ExponentTooLarge,Left NotANumber]
 readNumber :: Text -> Either NumberFault Rational
-readNumber text = case Text.stripPrefix "-" text of
-  Just rest -> negate <$> unsigned rest
-  Nothing -> unsigned text
+readNumber = readSpelled . Text.encodeUtf8
 
-unsigned :: Text -> Either NumberFault Rational
+-- | The same from the bytes of a text in UTF-8.
+readSpelled :: ByteString -> Either NumberFault Rational
+readSpelled bytes = case shortDecimal bytes of
+  Just q -> Right q
+  Nothing -> case Bytes.stripPrefix "-" bytes of
+    Just rest -> negate <$> unsigned rest
+    Nothing -> unsigned bytes
+
+-- What most numbers are: an integer or a decimal, with all of its digits in a machine integer. Nothing is said of
+-- others.
+shortDecimal :: ByteString -> Maybe Rational
+shortDecimal bytes
+  | size > 18 = Nothing
+  | otherwise = whole start 0
+  where
+    size = Bytes.length bytes
+    isNegative = "-" `Bytes.isPrefixOf` bytes
+    start = if isNegative then 1 else 0
+    signed n = toInteger (if isNegative then negate n else n)
+    whole :: Int -> Int -> Maybe Rational
+    whole !i !n
+      | i == size = if i == start then Nothing else Just (fromInteger (signed n))
+      | isDigit c = whole (i + 1) (10 * n + digitToInt c)
+      | c == '.', i > start, i + 1 < size = part (i + 1) n 1
+      | otherwise = Nothing
+      where
+        c = charAt bytes i
+    part :: Int -> Int -> Int -> Maybe Rational
+    part !i !n !power
+      | i == size = Just (signed n % toInteger power)
+      | isDigit c = part (i + 1) (10 * n + digitToInt c) (10 * power)
+      | otherwise = Nothing
+      where
+        c = charAt bytes i
+
+unsigned :: ByteString -> Either NumberFault Rational
 unsigned text = do
   (whole, rest) <- digits text
-  case Text.uncons rest of
+  case Bytes.uncons rest of
     Nothing -> Right (fromInteger (natural whole))
     Just ('/', below) -> do
       (q, end) <- digits below
@@ -63,13 +99,13 @@ unsigned text = do
     Just ('.', below) -> do
       (part, rest') <- digits below
       power <- exponentPart rest'
-      Right (scaled (natural (whole <> part)) (power - Text.length part))
+      Right (scaled (natural (whole <> part)) (power - Bytes.length part))
     Just _ -> scaled (natural whole) <$> exponentPart rest
 
-exponentPart :: Text -> Either NumberFault Int
-exponentPart text = case Text.uncons text of
+exponentPart :: ByteString -> Either NumberFault Int
+exponentPart text = case Bytes.uncons text of
   Nothing -> Right 0
-  Just (e, rest) | e == 'e' || e == 'E' -> case Text.uncons rest of
+  Just (e, rest) | e == 'e' || e == 'E' -> case Bytes.uncons rest of
     Just ('-', rest') -> negate <$> size rest'
     Just ('+', rest') -> size rest'
     _ -> size rest
@@ -78,24 +114,24 @@ exponentPart text = case Text.uncons text of
     size rest = do
       (found, end) <- digits rest
       atEnd end
-      let significant = Text.dropWhile (== '0') found
-      if Text.length significant > 3 || natural significant > toInteger exponentLimit
+      let significant = Bytes.dropWhile (== '0') found
+      if Bytes.length significant > 3 || natural significant > toInteger exponentLimit
         then Left ExponentTooLarge
         else Right (fromInteger (natural significant))
 
-digits :: Text -> Either NumberFault (Text, Text)
+digits :: ByteString -> Either NumberFault (ByteString, ByteString)
 digits text
-  | Text.null found = Left NotANumber
+  | Bytes.null found = Left NotANumber
   | otherwise = Right (found, rest)
   where
-    (found, rest) = Text.span isDigit text
+    (found, rest) = Bytes.span isDigit text
 
-atEnd :: Text -> Either NumberFault ()
-atEnd rest = if Text.null rest then Right () else Left NotANumber
+atEnd :: ByteString -> Either NumberFault ()
+atEnd rest = if Bytes.null rest then Right () else Left NotANumber
 
 -- The value of a run of digits, in less than quadratic time.
-natural :: Text -> Integer
-natural = maybe 0 fst . Bytes.readInteger . Text.encodeUtf8
+natural :: ByteString -> Integer
+natural = maybe 0 fst . Bytes.readInteger
 
 -- n·10^k.
 scaled :: Integer -> Int -> Rational

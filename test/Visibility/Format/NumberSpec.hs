@@ -27,6 +27,13 @@ spec = do
           mantissa = read (show (abs whole) <> fraction) :: Integer
           sign = if whole < 0 then -1 else 1
        in readNumber (Text.pack text) === Right (sign * fromInteger mantissa * 10 ^^ (k - length fraction))
+    prop "reads a number the same with zeros around it, be they more digits than a machine integer has" $
+      forAll ((,) <$> upToDigits 20 <*> oneof [pure Nothing, Just <$> upToDigits 20]) $ \(whole, part) ->
+        forAll ((,,) <$> elements ["", "-"] <*> elements [1, 25] <*> elements [1, 25]) $ \(sign, front, behind) ->
+          let spelling zeros zeros' =
+                sign <> zero zeros <> whole <> foldMap (\digits -> "." <> digits <> zero zeros') part
+              zero n = Text.replicate n "0"
+           in readNumber (spelling front behind) === readNumber (spelling 0 0)
   describe "numberText" $ do
     prop "readNumber (pack (numberText q)) == Right q" $
       forAll rationals $ \q -> readNumber (Text.pack (numberText q)) === Right q
@@ -38,6 +45,9 @@ spec = do
       numberText (-5 % 2) `shouldBe` "-2.5"
       numberText (10 % 3) `shouldBe` "10/3"
       numberText 100 `shouldBe` "100"
+
+upToDigits :: Int -> Gen Text.Text
+upToDigits n = choose (1, n) >>= \k -> Text.pack <$> vectorOf k (choose ('0', '9'))
 
 rationals :: Gen Rational
 rationals =
