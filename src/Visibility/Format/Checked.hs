@@ -3,14 +3,17 @@ module Visibility.Format.Checked
   ( Checked (..)
   , fault
   , andThen
+  , eachOf
   , outcome
   ) where
 
 import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Semigroup (sconcat)
 import Visibility.Error
 
--- | A value or all the faults that prevent it.
-data Checked a = Wrong (NonEmpty ParseError) | Good a
+-- | A value or all the faults that prevent it. Nothing waits to be computed, so that what has been read keeps no text.
+data Checked a = Wrong !(NonEmpty ParseError) | Good !a
 
 instance Functor Checked where
   fmap _ (Wrong faults) = Wrong faults
@@ -32,6 +35,21 @@ fault why = Wrong (why :| [])
 andThen :: Checked a -> (a -> Checked b) -> Checked b
 andThen (Wrong faults) _ = Wrong faults
 andThen (Good a) next = next a
+
+-- | 'traverse' with the places in the list, from 0; in a loop, for lists of any length.
+eachOf :: (Int -> a -> Checked b) -> [a] -> Checked [b]
+eachOf check = good [] 0
+  where
+    good done _ [] = Good (reverse done)
+    good done k (item : rest) = case check k item of
+      Good made -> good (made : done) (k + 1) rest
+      Wrong faults -> wrong faults [] (k + 1) rest
+    -- The last faults first.
+    wrong faults before _ [] = Wrong (sconcat (NonEmpty.reverse (faults :| before)))
+    wrong faults before k (item : rest) = case check k item of
+      Good _ -> wrong faults before (k + 1) rest
+      Wrong faults' -> wrong faults' (faults : before) (k + 1) rest
+{-# INLINE eachOf #-}
 
 -- | What has been read from a file, or its problems.
 outcome :: FilePath -> Checked a -> Either (NonEmpty Problem) a

@@ -36,13 +36,14 @@ readGeoJson :: FilePath -> ByteString -> Either (NonEmpty Problem) RawScene
 readGeoJson = readDocument sceneAt
 
 sceneAt :: JsonPath -> Document -> Checked RawScene
-sceneAt path document = case document of
+sceneAt path document = case value document of
   Object members -> assembled name (ofType path members WantedGeoJsonType (topLevel members))
     where
-      name = case (lookup "type" members, lookup "name" members) of
+      name = case (stated "type", stated "name") of
         (Just (String "FeatureCollection"), Just (String text)) -> Just text
         _ -> Nothing
-  _ -> wrongKind path document WantedGeoJson
+      stated key = value <$> lookup key members
+  other -> wrongKind path other WantedGeoJson
   where
     topLevel members kind = case kind of
       "FeatureCollection" -> Just (needed path members "features" WantedFeatures features)
@@ -59,13 +60,13 @@ data Role = Standing | Enclosing
   deriving (Eq)
 
 -- | What a feature says of all its polygons.
-data Properties = Properties {role :: !Role, described :: !(RawPolygon -> RawPolygon)}
+data Properties = Properties {role :: !Role, given :: !(RawPolygon -> RawPolygon)}
 
 plain :: Properties
 plain = Properties Standing id
 
 assembled :: Maybe Text -> [Part] -> Checked RawScene
-assembled name parts = scene . concat <$> traverse checked parts
+assembled name parts = scene . concat <$> eachOf (const checked) parts
   where
     scene shapes = RawScene name (listToMaybe (those Enclosing shapes)) (those Standing shapes)
     those wanted shapes = [polygon | (as, polygon) <- shapes, as == wanted]
@@ -79,7 +80,7 @@ assembled name parts = scene . concat <$> traverse checked parts
 
 -- The parts that an object with members has by its type; nothing for types that do not belong there.
 ofType :: JsonPath -> [(Text, Document)] -> Wanted -> (Text -> Maybe [Part]) -> [Part]
-ofType path members wanted parts = case memberOf path members "type" of
+ofType path members wanted parts = case fmap value <$> memberOf path members "type" of
   Nothing -> faulty (wrong path (MissingKey ("type" :| []) wanted))
   Just (_, String kind) | Just known <- parts kind -> once path members ["type"] <> known
   Just (at, other) -> faulty (wrongKind at other wanted)
@@ -100,64 +101,70 @@ faulty (Wrong faults) = [Faulty faults]
 faulty (Good _) = []
 
 eachPart :: Wanted -> (JsonPath -> Document -> [Part]) -> JsonPath -> Document -> [Part]
-eachPart wanted parts path document = case document of
+eachPart wanted parts path document = case value document of
   List items -> concat (zipWith (parts . Item path) [0 ..] items)
-  _ -> faulty (wrongKind path document wanted)
+  other -> faulty (wrongKind path other wanted)
 
 -- Features --------------------------------------------------------------------------------------------------------
 
 features :: JsonPath -> Document -> [Part]
 features = eachPart WantedFeatures featureAt
   where
-    featureAt path (Object members) = ofType path members WantedFeatureType (ofFeature path members)
-    featureAt path other = faulty (wrongKind path other WantedFeature)
+    featureAt path document = case value document of
+      Object members -> ofType path members WantedFeatureType (ofFeature path members)
+      other -> faulty (wrongKind path other WantedFeature)
     ofFeature path members kind = if kind == "Feature" then Just (feature path members) else Nothing
 
 feature :: JsonPath -> [(Text, Document)] -> [Part]
 feature path members = once path members ["properties"] <> faults <> needed path members "geometry" WantedGeometry shape
   where
     (faults, properties) = maybe ([], plain) (uncurry propertiesAt) (memberOf path members "properties")
-    shape at document = case document of
+    shape at document = case value document of
       Null -> []
       _ -> geometry properties at document
 
 -- What is wrong with the properties of a feature, and what is right.
 propertiesAt :: JsonPath -> Document -> ([Part], Properties)
-propertiesAt path document = case document of
+propertiesAt path document = case value document of
   Null -> ([], plain)
   Object members -> (once path members ["name", "emission", "reflectivity", "role"] <> faults, properties)
     where
-      given key valueAt = case memberOf path members key of
-        Just (at, value) | value /= Null -> Just <$> valueAt at value
-        _ -> Good Nothing
-      as = given "role" roleAt
-      description = (,,) <$> given "name" stringAt <*> given "emission" numberAt <*> given "reflectivity" numberAt
+      property key readAt = case memberOf path members key of
+        Nothing -> Good Nothing
+        Just (at, document') -> case value document' of
+          Null -> Good Nothing
+          _ -> Just <$> readAt at document'
+      as = property "role" roleAt
+      description =
+        (,,) <$> property "name" stringAt <*> property "emission" numberAt <*> property "reflectivity" numberAt
       faults = faulty description <> faulty as
       properties =
         Properties
           { role = case as of
               Good (Just Enclosing) -> Enclosing
               _ -> Standing
-          , described = case description of
+          , given = case description of
               Good (name, e, r) -> \polygon ->
-                polygon
-                  { rawPolygonName = name
-                  , rawMaterial = Material (fromMaybe (emission black) e) (fromMaybe (reflectivity black) r)
-                  }
+                described
+                  name
+                  polygon
+                  (Material (fromMaybe (emission black) e) (fromMaybe (reflectivity black) r))
+                  (rawSides polygon)
               Wrong _ -> id
           }
-  _ -> (faulty (wrongKind path document WantedProperties), plain)
+  other -> (faulty (wrongKind path other WantedProperties), plain)
 
 roleAt :: JsonPath -> Document -> Checked Role
-roleAt _ (String "enclosure") = Good Enclosing
-roleAt path other = wrongKind path other WantedRole
+roleAt path document = case value document of
+  String "enclosure" -> Good Enclosing
+  other -> wrongKind path other WantedRole
 
 -- Geometry --------------------------------------------------------------------------------------------------------
 
 geometry :: Properties -> JsonPath -> Document -> [Part]
-geometry properties path document = case document of
+geometry properties path document = case value document of
   Object members -> ofType path members WantedGeometryType (geometryOfType properties path members)
-  _ -> faulty (wrongKind path document WantedGeometry)
+  other -> faulty (wrongKind path other WantedGeometry)
 
 geometryOfType :: Properties -> JsonPath -> [(Text, Document)] -> Text -> Maybe [Part]
 geometryOfType properties path members kind = case kind of
@@ -173,19 +180,20 @@ geometryOfType properties path members kind = case kind of
     polygon = unlessEmpty (shape polygonAt)
     line = unlessEmpty (shape lineAt)
     shape outline at document =
-      [Shape at (role properties) (described properties <$> outline (role properties) at document)]
+      [Shape at (role properties) (given properties <$> outline (role properties) at document)]
 
 -- Empty coordinates stand for no geometry (RFC 7946, 3.1).
 unlessEmpty :: (JsonPath -> Document -> [Part]) -> JsonPath -> Document -> [Part]
-unlessEmpty _ _ (List []) = []
-unlessEmpty parts path document = parts path document
+unlessEmpty parts path document = case value document of
+  List [] -> []
+  _ -> parts path document
 
 polygonAt :: Role -> JsonPath -> Document -> Checked RawPolygon
-polygonAt as path document = case document of
+polygonAt as path document = case value document of
   List (outer : holes) ->
     outlineAt ringPolygon (Item path 0) outer
       <* traverse_ (\k -> wrong (Item path k) hole) (zipWith const [1 ..] holes)
-  _ -> wrongKind path document WantedRings
+  other -> wrongKind path other WantedRings
   where
     hole = case as of
       Standing -> BadOutline Hole
@@ -196,11 +204,12 @@ lineAt Standing path document = outlineAt lineWall path document
 lineAt Enclosing path document = outlineAt lineWall path document <* wrong path EnclosureWall
 
 outlineAt :: ([Point] -> Either OutlineFault RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
-outlineAt outline path document = case document of
+outlineAt outline path document = case value document of
   List items -> eachItem positionAt path items `andThen` (either (wrong path . BadOutline) Good . outline)
-  _ -> wrongKind path document WantedPositions
+  other -> wrongKind path other WantedPositions
 
 -- What stands behind x and y, an altitude as a rule, has no meaning in the plane.
 positionAt :: JsonPath -> Document -> Checked Point
-positionAt path (List (x : y : _)) = Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
-positionAt path other = wrongKind path other WantedPosition
+positionAt path document = case value document of
+  List (x : y : _) -> Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
+  other -> wrongKind path other WantedPosition

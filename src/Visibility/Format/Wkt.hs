@@ -6,6 +6,7 @@ module Visibility.Format.Wkt
   ) where
 
 import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Chars
 import Data.Char (isAlpha, isDigit)
 import Data.Foldable (traverse_)
 import Data.List.NonEmpty (NonEmpty)
@@ -33,11 +34,11 @@ import Visibility.Scene.Raw
 --
 -- /Cost/ O(n) in bytes, but for the size of the numbers.
 readWkt :: FilePath -> ByteString -> Either (NonEmpty Problem) RawScene
-readWkt file bytes = outcome file $ case decoded bytes of
-  Left place -> fault (SyntaxError place InvalidUtf8)
-  Right text -> RawScene Nothing Nothing <$> geometries (zip [1 ..] (map line (Text.lines text)))
+readWkt file bytes = outcome file $ case invalidByte bytes of
+  Just place -> fault (SyntaxError place InvalidUtf8)
+  Nothing -> RawScene Nothing Nothing <$> geometries (zip [1 ..] (map line (Chars.lines bytes)))
   where
-    line = Line . Text.dropWhileEnd isBlank
+    line = Line . Text.dropWhileEnd isBlank . decoded
 
 -- | A line without blanks at its end.
 newtype Line = Line Text
@@ -162,7 +163,7 @@ walls n line = case line of
 
 outline :: ([Point] -> Either OutlineFault RawPolygon) -> Int -> Group Position -> Checked RawPolygon
 outline made n (Group column positions) =
-  traverse point positions `andThen` (either (fault . WktError (TextPosition n column) . WktOutline) Good . made)
+  eachOf (const point) positions `andThen` (either (fault . WktError (TextPosition n column) . WktOutline) Good . made)
   where
     point (Position x y) = Point <$> number x <*> number y
     number (Token k word) = either (fault . WktError (TextPosition n k) . WktNumber word) Good (readWktNumber word)

@@ -1,10 +1,14 @@
+{-# LANGUAGE PatternSynonyms #-}
+{-# LANGUAGE ViewPatterns #-}
+
 -- | A scene as a file states it, before anything has been checked.
 module Visibility.Scene.Raw
   ( RawScene (..)
-  , RawPolygon (..)
+  , RawPolygon (RawPolygon, rawPolygonName, rawForm, rawCorners, rawMaterial, rawSides)
   , Form (..)
   , rawPolygon
   , rawWall
+  , described
   , sideTotal
   , Material (..)
   , black
@@ -14,6 +18,7 @@ module Visibility.Scene.Raw
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import Visibility.Exact.Point (Point)
+import Visibility.Scene.Packed
 
 -- | What a file says. Nothing in it need be valid: see "Visibility.Scene.Validate".
 data RawScene = RawScene
@@ -23,16 +28,36 @@ data RawScene = RawScene
   }
   deriving (Eq, Show)
 
--- | A polygon with its corners in the file's order, in either orientation; or a thin wall.
-data RawPolygon = RawPolygon
-  { rawPolygonName :: !(Maybe Text)
-  , rawForm :: !Form
-  , rawCorners :: ![Point]
-  , rawMaterial :: !Material
-  , rawSides :: !(Map.Map Int MaterialOverride)
-  -- ^ What the file says of single sides, by the file's side number.
+-- | A polygon with its corners in the file's order, in either orientation; or a thin wall. In memory the corners are
+-- packed; who looks at them, by 'RawPolygon' and 'rawCorners', unpacks them each time anew.
+data RawPolygon = PackedPolygon
+  { packedName :: !(Maybe Text)
+  , packedForm :: !Form
+  , packedCorners :: !Packed
+  , packedMaterial :: !Material
+  , packedSides :: !(Map.Map Int MaterialOverride)
   }
-  deriving (Eq, Show)
+  deriving (Eq)
+
+-- | The name, the form, the corners, the material, and what the file says of single sides, by the file's side number.
+pattern RawPolygon :: Maybe Text -> Form -> [Point] -> Material -> Map.Map Int MaterialOverride -> RawPolygon
+pattern RawPolygon {rawPolygonName, rawForm, rawCorners, rawMaterial, rawSides} <-
+  PackedPolygon rawPolygonName rawForm (unpacked -> rawCorners) rawMaterial rawSides
+  where
+    RawPolygon name form corners = PackedPolygon name form (packed corners)
+
+{-# COMPLETE RawPolygon #-}
+
+-- | As it is made.
+instance Show RawPolygon where
+  showsPrec p (RawPolygon name form corners material sides) =
+    showParen (p > 10) $
+      showString "RawPolygon "
+        . (showsPrec 11 name . showString " ")
+        . (showsPrec 11 form . showString " ")
+        . (showsPrec 11 corners . showString " ")
+        . (showsPrec 11 material . showString " ")
+        . showsPrec 11 sides
 
 -- | How a polygon's corners are joined.
 data Form
@@ -53,7 +78,13 @@ rawPolygon points = RawPolygon Nothing form points black Map.empty
 
 -- | A nameless black thin wall that emits nothing.
 rawWall :: [Point] -> RawPolygon
-rawWall points = (rawPolygon points) {rawForm = Polyline}
+rawWall points = (rawPolygon points) {packedForm = Polyline}
+
+-- | The same outline with this name, this material and these sides. (Other than a change of fields, this does not look
+-- at the corners.)
+described :: Maybe Text -> RawPolygon -> Material -> Map.Map Int MaterialOverride -> RawPolygon
+described name polygon material sides =
+  polygon {packedName = name, packedMaterial = material, packedSides = sides}
 
 -- | How many sides a polygon has.
 sideTotal :: RawPolygon -> Int
@@ -61,7 +92,7 @@ sideTotal polygon = case rawForm polygon of
   Ring -> n
   Polyline -> max 0 (2 * (n - 1))
   where
-    n = length (rawCorners polygon)
+    n = packedLength (packedCorners polygon)
 
 -- | What a side does with light: emitted power per unit length, and the part of the incident power that it reflects.
 data Material = Material {emission :: !Rational, reflectivity :: !Rational}

@@ -41,25 +41,30 @@ readScene = readDocument sceneAt
 -- Reading ---------------------------------------------------------------------------------------------------------
 
 sceneAt :: JsonPath -> Document -> Checked RawScene
-sceneAt path (Object members) =
-  checkedKeys path ["format", "name", "enclosure", "polygons"] members
-    *> traverse (uncurry formatAt) (member "format")
-    *> ( RawScene
-          <$> traverse (uncurry stringAt) (member "name")
-          <*> traverse (uncurry enclosureAt) (member "enclosure")
-          <*> maybe (wrong path (MissingKey ("polygons" :| []) WantedPolygons)) (uncurry polygonsAt) (member "polygons")
-       )
-  where
-    member = memberOf path members
-sceneAt path other = wrongKind path other WantedScene
+sceneAt path document = case value document of
+  Object members ->
+    let member = memberOf path members
+     in checkedKeys path ["format", "name", "enclosure", "polygons"] members
+          *> traverse (uncurry formatAt) (member "format")
+          *> ( RawScene
+                <$> traverse (uncurry stringAt) (member "name")
+                <*> traverse (uncurry enclosureAt) (member "enclosure")
+                <*> maybe
+                  (wrong path (MissingKey ("polygons" :| []) WantedPolygons))
+                  (uncurry polygonsAt)
+                  (member "polygons")
+             )
+  other -> wrongKind path other WantedScene
 
 formatAt :: JsonPath -> Document -> Checked ()
-formatAt _ (String "viscomplex/1") = Good ()
-formatAt path other = wrongKind path other WantedFormat
+formatAt path document = case value document of
+  String "viscomplex/1" -> Good ()
+  other -> wrongKind path other WantedFormat
 
 polygonsAt :: JsonPath -> Document -> Checked [RawPolygon]
-polygonsAt path (List items) = eachItem polygonAt path items
-polygonsAt path other = wrongKind path other WantedPolygons
+polygonsAt path document = case value document of
+  List items -> eachItem polygonAt path items
+  other -> wrongKind path other WantedPolygons
 
 -- | An enclosure has corners only; an obstacle may be stated as a wall instead.
 enclosureAt, polygonAt :: JsonPath -> Document -> Checked RawPolygon
@@ -68,8 +73,8 @@ polygonAt = shapeAt WantedPolygon (("corners", rawPolygon) :| [("wall", rawWall)
 
 -- | A polygon that gives its corners under one of these keys, which say how they are joined; or a list of corners.
 shapeAt :: Wanted -> NonEmpty (Text, [Point] -> RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
-shapeAt wanted forms path document = case document of
-  List _ -> rawPolygon <$> cornersAt path document
+shapeAt wanted forms path document = case value document of
+  List items -> rawPolygon <$> eachItem cornerAt path items
   Object members ->
     let member = memberOf path members
         given = [(key, made <$> cornersAt at corners) | (key, made) <- toList forms, Just (at, corners) <- [member key]]
@@ -86,42 +91,42 @@ shapeAt wanted forms path document = case document of
                     )
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
-  _ -> wrongKind path document wanted
-  where
-    described name polygon material overrides =
-      polygon {rawPolygonName = name, rawMaterial = material, rawSides = overrides}
+  other -> wrongKind path other wanted
 
 cornersAt :: JsonPath -> Document -> Checked [Point]
-cornersAt path (List items) = eachItem cornerAt path items
-cornersAt path other = wrongKind path other WantedCorners
+cornersAt path document = case value document of
+  List items -> eachItem cornerAt path items
+  other -> wrongKind path other WantedCorners
 
 cornerAt :: JsonPath -> Document -> Checked Point
-cornerAt path (List [x, y]) = Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
-cornerAt path other = wrongKind path other WantedCorner
+cornerAt path document = case value document of
+  List [x, y] -> Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
+  other -> wrongKind path other WantedCorner
 
 sidesAt :: JsonPath -> Document -> Checked (Map.Map Int MaterialOverride)
-sidesAt path (Object members) = Map.fromList <$> (checkedTwins path members *> traverse side members)
+sidesAt path document = case value document of
+  Object members -> Map.fromList <$> (checkedTwins path members *> traverse side members)
+  other -> wrongKind path other WantedSides
   where
-    side (key, document) =
+    side (key, override) =
       (,)
         <$> maybe (wrong path (BadSideKey key)) Good (sideNumber key)
-        <*> overrideAt (Key path key) document
+        <*> overrideAt (Key path key) override
     -- Spelled in one way only, so that no two keys name the same side.
     sideNumber key = case readMaybe (Text.unpack key) of
       Just k | Text.pack (show k) == key -> Just k
       _ -> Nothing
-sidesAt path other = wrongKind path other WantedSides
 
 overrideAt :: JsonPath -> Document -> Checked MaterialOverride
-overrideAt path (Object members) =
-  checkedKeys path ["emission", "reflectivity"] members
-    *> ( MaterialOverride
-          <$> traverse (uncurry numberAt) (member "emission")
-          <*> traverse (uncurry numberAt) (member "reflectivity")
-       )
-  where
-    member = memberOf path members
-overrideAt path other = wrongKind path other WantedMaterial
+overrideAt path document = case value document of
+  Object members ->
+    let member = memberOf path members
+     in checkedKeys path ["emission", "reflectivity"] members
+          *> ( MaterialOverride
+                <$> traverse (uncurry numberAt) (member "emission")
+                <*> traverse (uncurry numberAt) (member "reflectivity")
+             )
+  other -> wrongKind path other WantedMaterial
 
 -- Writing ---------------------------------------------------------------------------------------------------------
 

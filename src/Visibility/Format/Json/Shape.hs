@@ -26,6 +26,7 @@ import Visibility.Error
 import Visibility.Format.Checked
 import Visibility.Format.Json.Syntax
 import Visibility.Format.Number
+import Visibility.Format.Utf8
 
 -- | What the text of a file says, by the shape of its document; the path is only what the file is called in problems.
 --
@@ -40,36 +41,38 @@ wrong :: JsonPath -> ShapeFault -> Checked a
 wrong path why = fault (ShapeError path why)
 
 -- | The value found is not of the kind wanted.
-wrongKind :: JsonPath -> Document -> Wanted -> Checked a
-wrongKind path document wanted = wrong path (WrongKind (found document) wanted)
+wrongKind :: JsonPath -> Value -> Wanted -> Checked a
+wrongKind path other wanted = wrong path (WrongKind (found other) wanted)
 
 -- | What messages call a value.
-found :: Document -> Found
-found document = case document of
+found :: Value -> Found
+found other = case other of
   Null -> FoundNull
   Boolean b -> FoundBoolean b
-  Number spelled -> FoundNumber spelled
+  Number spelled -> FoundNumber (decoded spelled)
   String text -> FoundString text
   List items -> FoundList (length items)
   Object _ -> FoundObject
 
 -- | A string.
 stringAt :: JsonPath -> Document -> Checked Text
-stringAt _ (String text) = Good text
-stringAt path other = wrongKind path other WantedString
+stringAt path document = case value document of
+  String text -> Good text
+  other -> wrongKind path other WantedString
 
 -- | A number as it is spelled, or a string that spells one.
 numberAt :: JsonPath -> Document -> Checked Rational
-numberAt path document = case document of
-  Number spelled -> number spelled
-  String text -> number text
-  _ -> wrongKind path document WantedNumber
+numberAt path document = case value document of
+  Number spelled -> number (readSpelled spelled)
+  String text -> number (readNumber text)
+  other -> wrongKind path other WantedNumber
   where
-    number = either (wrong path . BadNumber (found document)) Good . readNumber
+    number = either (wrong path . BadNumber (found (value document))) Good
 
 -- | All items of a list, whose path is given.
 eachItem :: (JsonPath -> Document -> Checked a) -> JsonPath -> [Document] -> Checked [a]
-eachItem itemAt path items = traverse (\(k, item) -> itemAt (Item path k) item) (zip [0 ..] items)
+eachItem itemAt path = eachOf (itemAt . Item path)
+{-# INLINE eachItem #-}
 
 -- | A member of the object at the path, with its own path. Of several, the first.
 memberOf :: JsonPath -> [(Text, Document)] -> Text -> Maybe (JsonPath, Document)

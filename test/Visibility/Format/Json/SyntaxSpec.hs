@@ -3,10 +3,15 @@
 module Visibility.Format.Json.SyntaxSpec (spec) where
 
 import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.Key as Key
+import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Chars
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
+import Data.List (nub)
+import Data.Text (Text)
+import qualified Data.Text as Text
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
@@ -16,26 +21,38 @@ import Visibility.Format.Json.Syntax
 spec :: Spec
 spec = describe "parseDocument" $ do
   it "keeps numbers as spelled, and members in order with their duplicates" $
-    parseDocument " {\"b\": [1.50e+2, -0, 1E400], \"a\": null, \"b\": true}\n"
+    parsed " {\"b\": [1.50e+2, -0, 1E400], \"a\": null, \"b\": true}\n"
       `shouldBe` Right
-        (Object [("b", List [Number "1.50e+2", Number "-0", Number "1E400"]), ("a", Null), ("b", Boolean True)])
+        (Members [("b", Items [Numeral "1.50e+2", Numeral "-0", Numeral "1E400"]), ("a", Nil), ("b", Truth True)])
   it "reads escapes and characters beyond U+FFFF" $
-    parseDocument "\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\uD834\\uDD1E \195\169\""
-      `shouldBe` Right (String "\"\\/\b\f\n\r\t\233\119070 \233")
+    parsed "\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\uD834\\uDD1E \195\169\""
+      `shouldBe` Right (Words "\"\\/\b\f\n\r\t\233\119070 \233")
   it "pairs the first and the last surrogates" $
-    parseDocument "\"\\ud800\\udc00\\udbff\\udfff\"" `shouldBe` Right (String "\x10000\x10ffff")
+    parsed "\"\\ud800\\udc00\\udbff\\udfff\"" `shouldBe` Right (Words "\x10000\x10ffff")
+  it "tells brackets and quotes in strings from those around them" $
+    parsed "[[\"]\", \"\\\"]\", \"\\\\\"], {\"}\": \"{\", \",\\\\\": \"[\"} ,1]"
+      `shouldBe` Right
+        ( Items
+            [ Items [Words "]", Words "\"]", Words "\\"]
+            , Members [("}", Words "{"), (",\\", Words "[")]
+            , Numeral "1"
+            ]
+        )
   it "bounds the depth" $ do
     let nested n = Chars.replicate n '[' <> Chars.replicate n ']'
-    parseDocument (nested deepest) `shouldSatisfy` either (const False) (const True)
-    parseDocument (nested (deepest + 1)) `shouldBe` Left (TextPosition 1 (deepest + 1), TooDeep deepest)
-    parseDocument (Chars.replicate 10000000 '[') `shouldBe` Left (TextPosition 1 (deepest + 1), TooDeep deepest)
-    parseDocument (Bytes.concat (replicate 1000000 "{\"\":"))
+    parsed (nested deepest) `shouldBe` Right (iterate (Items . (: [])) (Items []) !! (deepest - 1))
+    parsed (Bytes.concat (replicate deepest "{\"\":[" <> ["1"] <> replicate deepest "]}"))
+      `shouldBe` Left (TextPosition 1 (5 * div deepest 2 + 1), TooDeep deepest)
+    parsed (nested (deepest + 1)) `shouldBe` Left (TextPosition 1 (deepest + 1), TooDeep deepest)
+    parsed (Chars.replicate 10000000 '[') `shouldBe` Left (TextPosition 1 (deepest + 1), TooDeep deepest)
+    parsed (Bytes.concat (replicate 1000000 "{\"\":"))
       `shouldBe` Left (TextPosition 1 (4 * deepest + 1), TooDeep deepest)
   it "takes a list of many elements" $
-    fmap size (parseDocument ("[" <> Bytes.intercalate "," (replicate 300000 "0") <> "]")) `shouldBe` Right 300000
+    let zeros = "[" <> Bytes.intercalate "," (replicate 300000 "0") <> "]"
+     in fmap (size . value) (parseDocument zeros) `shouldBe` Right 300000
   describe "counts lines and characters" $
     for_ positions $ \(text, line, column) ->
-      it (show text) $ either (Right . fst) Left (parseDocument text) `shouldBe` Right (TextPosition line column)
+      it (show text) $ either (Right . fst) Left (parsed text) `shouldBe` Right (TextPosition line column)
   modifyMaxSuccess (* 20) $
     -- aeson 2.0.3 lets a control character pass in a string that also has an escape.
     prop "accepts what aeson accepts but for control characters in strings, and nothing else" $
@@ -44,14 +61,54 @@ spec = describe "parseDocument" $ do
             accepted = isRight (parseDocument bytes)
          in cover 20 accepted "accepted" $
               cover 20 (not accepted) "refused" $
-                counterexample (show (parseDocument bytes)) $
+                counterexample (show (parsed bytes)) $
                   accepted === isRight (Aeson.eitherDecodeStrict bytes :: Either String Aeson.Value)
+  modifyMaxSuccess (* 20) $
+    prop "finds in a document what aeson finds" $
+      forAll (fmap (\bytes -> (bytes, parsed bytes)) mutated `suchThat` hasOneMeaning) $ \(bytes, tree) ->
+        fmap valueOf tree === first (const (TextPosition 1 1, InvalidUtf8)) (Aeson.eitherDecodeStrict bytes)
   where
     isControlled bytes = case parseDocument bytes of
       Left (_, ControlCharacter _) -> True
       _ -> False
     size (List items) = length items
     size _ = 0
+    -- aeson keeps one of two equal keys.
+    hasOneMeaning (_, tree) = either (const False) keysDiffer tree
+    keysDiffer tree = case tree of
+      Items trees -> all keysDiffer trees
+      Members members -> length (nub (map fst members)) == length members && all (keysDiffer . snd) members
+      _ -> True
+
+-- | All of a document.
+data Tree
+  = Nil
+  | Truth Bool
+  | Numeral Bytes.ByteString
+  | Words Text
+  | Items [Tree]
+  | Members [(Text, Tree)]
+  deriving (Eq, Show)
+
+parsed :: Bytes.ByteString -> Either (TextPosition, SyntaxFault) Tree
+parsed bytes = treeOf <$> parseDocument bytes
+  where
+    treeOf document = case value document of
+      Null -> Nil
+      Boolean b -> Truth b
+      Number spelled -> Numeral spelled
+      String text -> Words text
+      List items -> Items (map treeOf items)
+      Object members -> Members (map (fmap treeOf) members)
+
+valueOf :: Tree -> Aeson.Value
+valueOf tree = case tree of
+  Nil -> Aeson.Null
+  Truth b -> Aeson.Bool b
+  Numeral spelled -> either (Aeson.String . Text.pack) Aeson.Number (Aeson.eitherDecodeStrict spelled)
+  Words text -> Aeson.String text
+  Items trees -> Aeson.toJSON (map valueOf trees)
+  Members members -> Aeson.object [(Key.fromText key, valueOf member) | (key, member) <- members]
 
 positions :: [(Bytes.ByteString, Int, Int)]
 positions =
