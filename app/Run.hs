@@ -21,6 +21,7 @@ import Control.Exception
   , fromException
   , handleJust
   )
+import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
@@ -33,7 +34,7 @@ import System.IO.Error (ioeGetErrorString, ioeGetErrorType, isResourceVanishedEr
 import Together (inTurns)
 import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
-import Visibility.Format.File (readRawSceneFile)
+import Visibility.Format.File (fileLabel, readSceneBytes, sceneFileBytes)
 import Visibility.Format.Json (sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
@@ -48,23 +49,30 @@ guarded = handleJust broken (\exception -> complain [displayException exception]
 -- code 70, after a dump of the scene.
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
-  reading <- readRawSceneFile (sceneFile common)
-  raw <- either failed pure reading
-  handleJust broken (dump raw) $ do
+  bytes <- sceneFileBytes file >>= either failed pure
+  raw <- either failed pure (readSceneBytes label bytes)
+  handleJust broken (dump common bytes) $ do
     scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
     work (underArithmetic (arithmeticChoice common) scene)
   where
-    label = if sceneFile common == "-" then "standard input" else sceneFile common
+    file = sceneFile common
+    label = fileLabel file
     failed problems = complain (map errorText (toList problems)) >> ends (problemsOutcome problems)
-    dump raw exception = do
-      complain $
-        displayException exception
-          : ["The arithmetic was double, which is unsafe: filtered and exact break no law." | unsafe]
-            <> ["The scene was:"]
-      hPutBuilder stderr (sceneDocument raw)
-      hFlush stderr
-      ends LawBroken
+
+-- Reports a law that broke in work on the scene that these bytes state. They are read again, lest the statement of the
+-- scene stays in memory during the work; for the same reason the compiler must not share it with that of 'withScene'.
+dump :: Common -> ByteString -> SomeException -> IO ()
+dump common bytes exception = do
+  complain $
+    displayException exception
+      : ["The arithmetic was double, which is unsafe: filtered and exact break no law." | unsafe]
+        <> ["The scene was:"]
+  hPutBuilder stderr (either mempty sceneDocument (readSceneBytes (fileLabel (sceneFile common)) bytes))
+  hFlush stderr
+  ends LawBroken
+  where
     unsafe = arithmeticChoice common == UnsafeDouble
+{-# NOINLINE dump #-}
 
 -- | Everything but a wish to end, trouble with files, or what comes from outside is an error of this program.
 broken :: SomeException -> Maybe SomeException

@@ -372,6 +372,9 @@ spec = do
       (code, out) `shouldBe` (70, "")
       for_ ["law is broken", "unsafe", "The scene was:", "forty digits"] $ \phrase ->
         err `shouldSatisfy` isInfixOf phrase
+      statement <- readFile "scenes/forty-digits.json"
+      (code', out', err') <- run ["graph", "-", "--arithmetic", "double"] statement
+      (code', out', err') `shouldBe` (code, out, err)
     it "of the unsafe arithmetic give a wrong graph or none, where corners are nearly in line" $ do
       -- Whatever goes wrong stays in a process of its own, with little time and memory.
       let call name arithmetic =

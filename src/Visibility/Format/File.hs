@@ -2,10 +2,12 @@
 module Visibility.Format.File
   ( readSceneFile
   , readRawSceneFile
+    -- * In two steps
+  , sceneFileBytes
   , readSceneBytes
+  , fileLabel
   ) where
 
-import Control.Monad ((>=>))
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -28,11 +30,14 @@ readSceneFile path = (>>= first (fmap (InvalidScene (fileLabel path))) . validat
 
 -- | The same before validation.
 readRawSceneFile :: FilePath -> IO (Either (NonEmpty Problem) RawScene)
-readRawSceneFile path = (first unreadable >=> readSceneBytes label) <$> tryIOError bytes
+readRawSceneFile path = (>>= readSceneBytes (fileLabel path)) <$> sceneFileBytes path
+
+-- | The bytes of a file, or of standard input.
+sceneFileBytes :: FilePath -> IO (Either (NonEmpty Problem) ByteString)
+sceneFileBytes path = first unreadable <$> tryIOError bytes
   where
-    label = fileLabel path
     bytes = if path == "-" then Bytes.getContents else Bytes.readFile path
-    unreadable fault = UnreadableFile label (readFault fault) :| []
+    unreadable fault = UnreadableFile (fileLabel path) (readFault fault) :| []
     readFault fault
       | isDoesNotExistError fault = NoSuchFile
       | isPermissionError fault = NotPermitted
@@ -48,7 +53,7 @@ readSceneBytes path
   where
     lowered = map toLower path
 
--- What problems call a file.
+-- | What problems call a file.
 fileLabel :: FilePath -> String
 fileLabel "-" = "standard input"
 fileLabel path = path
