@@ -228,8 +228,13 @@ commands =
           ""
     reportHelp =
       progDesc
-        "Measure speed against error, here and now: report.md, its data as CSV, and plots, in a folder. Takes some minutes."
-        <> examples [("less than a minute", "viscomplex report --quick -o report"), ("all of it", "viscomplex report -o report")] ""
+        "Measure speed against error, here and now: report.md, its data as CSV, and plots, in a folder. Takes some \
+        \minutes."
+        <> examples
+          [ ("less than a minute", "viscomplex report --quick -o report")
+          , ("all of it", "viscomplex report -o report")
+          ]
+          ""
     generateHelp =
       progDesc "Print a scene of a named family. The same family, size and seed give the same scene."
         <> examples

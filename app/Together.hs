@@ -11,8 +11,8 @@ import Control.Monad (zipWithM)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
 -- | Runs an action on the items of several lists, taken in turns, an item of each; where one has ended, of the others.
--- Each list is evaluated by a thread of its own, item by item, and no more than a few items ahead of what the action has
--- consumed. What goes wrong in an item does so where the action reaches it.
+-- Each list is evaluated by a thread of its own, item by item, and no more than a few items ahead of what the action
+-- has consumed. What goes wrong in an item does so where the action reaches it.
 inTurns :: [[a]] -> ([a] -> IO b) -> IO b
 inTurns lists act = do
   capabilities <- getNumCapabilities

@@ -47,7 +47,9 @@ common = Common <$> scene <*> arithmetic <*> scheduler
             <> metavar "filtered|exact|double|rational"
             <> value Filtered
             <> showDefaultWith (const "filtered")
-            <> help "How signs are decided. double is unsafe: wrong results are its purpose. rational is a slow baseline."
+            <> help
+              "How signs are decided. double is unsafe: wrong results are its purpose. rational is a slow \
+              \baseline."
         )
     scheduler =
       option

@@ -4,6 +4,7 @@ module Main (main) where
 
 import Bench.Scenes
 import Control.Monad (forM_)
+import Data.List (intercalate)
 import Visibility.Complex (complexOf, faceIds)
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Format.File (readSceneBytes)
@@ -33,7 +34,8 @@ main = do
     rightOf = either (const Nothing) Just
     isRight = either (const False) (const True)
     row (weight, _) =
-      putStrLn (show (weightLabel weight) <> "," <> show (weightAllocatedBytes weight) <> "," <> show (weightMaxBytes weight))
+      putStrLn $
+        intercalate "," [show (weightLabel weight), show (weightAllocatedBytes weight), show (weightMaxBytes weight)]
     leaves grouped = case grouped of
       Singleton x -> [x]
       Grouped _ inner -> concatMap leaves inner

@@ -35,7 +35,8 @@ import Visibility.View (events)
 main :: IO ()
 main = do
   exe <- lookupEnv "VISCOMPLEX_EXE" >>= maybe (die "VISCOMPLEX_EXE must name the program") pure
-  bracket (getTemporaryDirectory >>= (`createTempDirectory` "viscomplex-bench")) removeDirectoryRecursive $ \folder -> do
+  bracket ((`createTempDirectory` "viscomplex-bench") =<< getTemporaryDirectory) removeDirectoryRecursive $
+    \folder -> do
     let files = [(folder </> ("random-" <> show n <> ".json"), n) | n <- [30, 100, 1000]]
     mapM_ (\(path, n) -> Bytes.writeFile path (fileOf Random n)) files
     defaultMain (yardstick : parts <> [commands exe files])
