@@ -5,7 +5,7 @@ module Command.Report
 
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (isPrefixOf)
+import Data.List (intercalate, isPrefixOf)
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumProcessors)
 import Options.Report
@@ -33,13 +33,19 @@ runReport options = orComplain folder $ do
         | terminal = hPutStr stderr ("\r\ESC[K" <> text) >> hFlush stderr
         | otherwise = pure ()
   begun <- getMonotonicTime
-  sections <- sequence [section progress plan folder | section <- [topologySection, factorsSection, cancellationSection, hardSection]]
+  sections <-
+    sequence
+      [ section progress plan folder
+      | section <-
+          [topologySection (reportDegenerate options), factorsSection, cancellationSection, hardSection]
+      ]
   finished <- getMonotonicTime
   progress ""
   machine <- described
   forM_ sections $ \section -> do
     forM_ (sectionData section) $ \(name, rows) -> writeFile (folder </> name) (csv rows)
-    forM_ (sectionFigures section) $ \(Figure name plot _) -> Lazy.writeFile (folder </> name) (renderSvg (plotDrawing plot))
+    forM_ (sectionFigures section) $ \(Figure name plot _) ->
+      Lazy.writeFile (folder </> name) (renderSvg (plotDrawing plot))
   writeFile (folder </> "report.md") (unlines (heading machine (finished - begun)) <> concatMap markdown sections)
   putStrLn (folder </> "report.md")
   where
@@ -48,7 +54,13 @@ runReport options = orComplain folder $ do
     heading machine seconds =
       [ "# Speed against error"
       , ""
-      , "Written by `viscomplex report" <> (if reportThoroughness options == Quick then " --quick" else "") <> "` in " <> sig seconds <> " s. All figures here were measured in that run, on " <> machine <> ", on one processor. The scenes are in [scenes](scenes), so that each can be measured again."
+      , "Written by `viscomplex report"
+          <> (if reportThoroughness options == Quick then " --quick" else "")
+          <> "` in "
+          <> sig seconds
+          <> " s. All figures here were measured in that run, but for two that say they are from elsewhere, on "
+          <> machine
+          <> ", on one processor. The scenes are in [scenes](scenes), so that each can be measured again."
       , ""
       ]
 
@@ -57,5 +69,7 @@ described :: IO String
 described = do
   count <- getNumProcessors
   cpu <- tryIOError (readFile "/proc/cpuinfo")
-  let model = take 1 [drop 2 (dropWhile (/= ':') line) | line <- either (const []) lines cpu, "model name" `isPrefixOf` line]
-  pure (concatMap (<> ", ") model <> show count <> " processors, " <> os <> " on " <> arch <> ", " <> compilerName <> " " <> showVersion compilerVersion)
+  let models = [line | line <- either (const []) lines cpu, "model name" `isPrefixOf` line]
+      model = take 1 (map (drop 2 . dropWhile (/= ':')) models)
+      compiler = compilerName <> " " <> showVersion compilerVersion
+  pure (intercalate ", " (model <> [show count <> " processors", os <> " on " <> arch, compiler]))

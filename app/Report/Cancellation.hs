@@ -29,33 +29,45 @@ cancellationSection progress plan folder = do
     found <- saved (rawCase folder (kind <> "-1e" <> show k) (facing kind k))
     let scene = caseScene found
         truth = truthOf scene (formFactors scene (measures scene (vertices scene)))
-        entry = [(row, column, x) | ((row, column), x) <- truthEntries truth, row `elem` ofWall scene 0, column `elem` ofWall scene 1]
+        entry =
+          [ (place, x)
+          | (place@(row, column), x) <- truthEntries truth
+          , row `elem` ofWall scene 0
+          , column `elem` ofWall scene 1
+          ]
     concat
       <$> forM chosen (\m -> do
         matrix <- ended (methodMatrix m scene)
-        pure [Row kind k (named m) x (errorOf truth matrix' (row, column)) | Just matrix' <- [matrix], (row, column, x) <- take 1 entry])
+        pure [Row kind k (named m) x (errorOf truth made place) | Just made <- [matrix], (place, x) <- take 1 entry])
   pure
     Section
       { sectionTitle = "Cancellation: two unit sides move apart"
       , sectionText =
-          [ "Two unit walls face each other at the distance d = 10^k. Their form factor, about 1/(2d), is a difference of \
-            \lengths near d: √(d² + 1) − d. Doubles lose twice as many digits as d has; in the occluded case a third wall, at a \
-            \third of the way and 2/7 high, hides some of it. The exact sums are rounded correctly at every distance, and so are the nearest \
-            \Doubles, which take two Doubles or, where those do not suffice, the roots themselves."
+          [ "Two unit walls face each other at the distance d = 10^k. Their form factor, about 1/(2d), is a \
+            \difference of lengths near d: √(d² + 1) − d. Doubles lose twice as many digits as d has; in the occluded \
+            \case a third wall, at a third of the way and 2/7 high, hides some of it. The exact sums are rounded \
+            \correctly at every distance, and so are the nearest Doubles, which take two Doubles or, where those do \
+            \not suffice, the roots themselves."
           ]
       , sectionTables =
           [ Table
-              ("Relative error of the form factor between the two walls, " <> kind <> ". An error of 1 means that the method found nothing.")
+              ( "Relative error of the form factor between the two walls, "
+                  <> kind
+                  <> ". An error of 1 means that the method found nothing."
+              )
               ("distance" : "form factor" : map named chosen)
-              [ ("1e" <> show k) : take 1 [sig x | Row kind' k' _ x _ <- rows, kind' == kind, k' == k]
-                  <> [concat (take 1 [sig e | Row kind' k' m' _ e <- rows, kind' == kind, k' == k, m' == named m]) | m <- chosen]
+              [ ("1e" <> show k)
+                  : take 1 [sig x | Row _ _ _ x _ <- here]
+                    <> [concat (take 1 [sig e | Row _ _ m' _ e <- here, m' == named m]) | m <- chosen]
               | k <- [0 .. 12 :: Int]
+              , let here = [row | row@(Row kind' k' _ _ _) <- rows, kind' == kind, k' == k]
               ]
           | kind <- ["free", "occluded"]
           ]
       , sectionFigures =
-          [ Figure ("cancellation-" <> kind <> ".svg") (plot (Text.pack kind) [r | r@(Row kind' _ _ _ _) <- rows, kind' == kind]) (caption (Text.pack kind))
+          [ Figure ("cancellation-" <> kind <> ".svg") (plot (Text.pack kind) mine) (caption kind)
           | kind <- ["free", "occluded"]
+          , let mine = [r | r@(Row kind' _ _ _ _) <- rows, kind' == kind]
           ]
       , sectionData =
           [ ( "cancellation.csv"
@@ -72,11 +84,19 @@ cancellationSection progress plan folder = do
     ofWall scene p = [r | (r, SideName (Obstacle q) _) <- zip [0 ..] (statedSides scene), q == p]
     caption kind =
       "Two unit walls at growing distance, "
-        <> kind
-        <> ": relative error of the form factor between them against the distance, both logarithmic, one line for each method. \
-           \Where lines lie on each other, the last in the legend is on top: all Double on the string rule in Double, and the \
-           \proved and the compensated results on the exact ones. The plain string rule in Doubles loses two digits with each decade of distance until nothing is right; the exact \
-           \and the proved results stay at the rounding of a Double. An error of 0 is not drawn."
+        <> Text.pack kind
+        <> ": relative error of the form factor between them against the distance, both logarithmic, one line for each \
+           \method. Where lines lie on each other, the last in the legend is on top: all Double on the string rule in \
+           \Double, the proved results on the exact ones. The plain string rule in Doubles loses two digits with each \
+           \decade of distance until nothing is right; the exact and the proved results stay at the rounding of a \
+           \Double. "
+        <> compensated kind
+        <> " An error of 0 is not drawn."
+    compensated kind
+      | kind == "free" = "So do the compensated ones: here all corners are Doubles."
+      | otherwise =
+          "The compensated ones do not: the corners of the third wall are no Doubles, and compensation does not bring \
+          \back what is lost by rounding them."
 
 errorOf :: Truth -> Matrix -> (Int, Int) -> Double
 errorOf truth matrix place = largestRelative (errorsOf (only place truth) matrix)
@@ -84,7 +104,8 @@ errorOf truth matrix place = largestRelative (errorsOf (only place truth) matrix
 facing :: String -> Int -> RawScene
 facing kind k =
   RawScene Nothing Nothing $
-    [rawWall [Point 0 0, Point 0 1], rawWall [Point d 0, Point d 1]] <> [rawWall [Point (d / 3) 0, Point (d / 3) (2 / 7)] | kind == "occluded"]
+    [rawWall [Point 0 0, Point 0 1], rawWall [Point d 0, Point d 1]]
+      <> [rawWall [Point (d / 3) 0, Point (d / 3) (2 / 7)] | kind == "occluded"]
   where
     d = 10 ^ k
 
@@ -93,10 +114,10 @@ plot kind rows =
   Plot
     { plotTitle = "Two unit walls move apart, " <> kind
     , plotDescription = "Relative error of one form factor against the distance, by method, both axes logarithmic."
-    , plotAcross = "distance"
-    , plotUpwards = "relative error"
+    , plotAcross = Decades "distance"
+    , plotUpwards = Decades "relative error"
     , plotSeries =
-        [ Series (Text.pack name) style marker [(10 ^^ k, e) | Row _ k m _ e <- rows, m == name]
+        [ Series (Text.pack name) style marker Joined [(10 ^^ k, e) | Row _ k m _ e <- rows, m == name]
         | name <- names
         , (family', (style, marker)) <- looks
         , family' `isPrefixOf` name

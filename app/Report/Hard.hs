@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The report's fourth section: scenes that get harder step by step, and where each arithmetic first errs.
 module Report.Hard
   ( hardSection
@@ -5,13 +7,15 @@ module Report.Hard
 
 import Control.Monad (forM)
 import Data.List (intercalate, sort)
-import qualified Data.Set as Set
+import qualified Data.Text as Text
 import Report.Measure
 import Report.Paper
 import Report.Scenes
-import Report.Topology (graphErrors)
+import Report.Verdict
+import Visibility.Draw.Drawing (Style (..))
 import Visibility.Exact.Point (Arithmetic (..), Point (..))
 import Visibility.Law (broken)
+import Visibility.Report.Plot
 import Visibility.Scene
 import Visibility.Scene.Family
 import Visibility.Scene.Raw
@@ -31,77 +35,155 @@ ladders plan =
   , Ladder "slit" "two walls end to end with a slit of 2^-k between them, and a triangle on either side" slit steps
   , Ladder "needles" "twelve slanted triangles, about a unit long and 2^-k wide" needles steps
   , Ladder "far away" "ten quadrilaterals with corners at thirds, and a triangle at a distance of 4000 · 2^k" far steps
-  , Ladder "touching" "four triangles of size 2^k that touch in (1/7, 1/11), and a fifth that nearly touches one of them along a side" touching steps
-  , Ladder "kettner" "k tiny triangles near (1/2, 1/2), and two others" (\k -> named Kettner (max 1 k)) (filter (> 0) steps)
+  , Ladder
+      "touching"
+      "four triangles of size 2^k that touch in (1/7, 1/11), and a fifth that nearly touches one of them along a side"
+      touching
+      steps
+  , Ladder "kettner" "k tiny triangles near (1/2, 1/2), and two others" (named Kettner . max 1) (filter (> 0) steps)
   ]
   where
     steps = hardSteps plan
 
-data Row = Row !String !Int !Outcome !(Maybe Int) !(Maybe Int) !Bool !Bool
+-- | The ways to decide signs, by their names; how each is judged.
+data Way = Contained | Here !Arithmetic
+
+ways :: [(String, Way)]
+ways =
+  [ ("double", Contained)
+  , ("rational", Here RationalBaseline)
+  , ("filtered", Here Filtered)
+  , ("exact", Here Exact)
+  ]
+
+-- | A scene under an arithmetic.
+data Row = Row
+  { rowLadder :: !String
+  , rowStep :: !Int
+  , rowWay :: !String
+  , rowVerdict :: !Verdict
+  }
 
 hardSection :: (String -> IO ()) -> Plan -> FilePath -> IO Section
 hardSection progress plan folder = do
-  rows <- fmap concat . forM (ladders plan) $ \ladder -> forM (ladderRungs ladder) $ \k -> do
+  rows <- fmap concat . forM (ladders plan) $ \ladder -> fmap concat . forM (ladderRungs ladder) $ \k -> do
     progress ("hard cases: " <> ladderName ladder <> ", " <> show k)
     found <- saved (rawCase folder (map dash (ladderName ladder) <> "-" <> show k) (ladderScene ladder k))
-    outcome <- runChild (timeLimit plan) ["graph", "--arithmetic", "double", caseFile found]
-    exact <- runChild (timeLimit plan) ["graph", caseFile found]
-    let (missing, extra) = case outcome of
-          Finished _ printed -> graphErrors exact printed
-          _ -> (Nothing, Nothing)
-        scene = caseScene found
-        right arithmetic = sort (vertices (underArithmetic arithmetic scene)) == truth
-        truth = sort (bruteForce scene)
-    pure (Row (ladderName ladder) k outcome missing extra (right Filtered) (right Exact))
+    let truth = sort (bruteForce (caseScene found))
+    forM ways $ \(name, way) -> Row (ladderName ladder) k name <$> case way of
+      Contained -> unsafeVerdict plan "topological" (caseFile found)
+      Here arithmetic -> vertexVerdict truth (vertices (underArithmetic arithmetic (caseScene found)))
   pure
     Section
       { sectionTitle = "Hard cases: where each arithmetic first errs"
       , sectionText =
           [ "Doubles: " <> intercalate ", " [show n <> " " <> word | (word, n) <- outcomes rows, n > 0] <> "."
-          , "Each scene gets harder with k. Doubles run in a process of their own, with a time limit, and their graph is \
-            \compared with the exact one; filtered and exact arithmetic are compared with brute force in integers, pair by pair."
+          , "Each scene gets harder with k. Doubles run in a process of their own, with limits of time and memory, \
+            \and their graph is compared with the exact one; filtered, exact and rational arithmetic are compared \
+            \with brute force in integers, pair by pair. The rational baseline computes on lattice integers, with \
+            \denominator 1."
           ]
       , sectionTables =
           [ Table
               "The first k at which an arithmetic is wrong, and what happens there; of how many scenes it is wrong."
-              ["scenes", "what k does", "double first wrong at", "what happens", "scenes with a wrong or no answer", "filtered first wrong at", "exact first wrong at"]
-              [ [ ladderName ladder
-                , ladderMeaning ladder
-                , firstOf [k | Row _ k o m e _ _ <- mine, isWrong o m e]
-                , concat (take 1 [what o m e | Row _ _ o m e _ _ <- mine, isWrong o m e])
-                , show (Set.size (Set.fromList [k | Row _ k o m e _ _ <- mine, isWrong o m e])) <> " of " <> show (length mine)
-                , firstOf [k | Row _ k _ _ _ False _ <- mine]
-                , firstOf [k | Row _ k _ _ _ _ False <- mine]
-                ]
+              ( ["scenes", "what k does", "double first wrong at", "what happens", "scenes with a wrong or no answer"]
+                  <> map (<> " first wrong at") exactWays
+              )
+              [ [ladderName ladder, ladderMeaning ladder, firstWrong doubles, firstWhat doubles, share doubles]
+                  <> map (firstWrong . mine) exactWays
               | ladder <- ladders plan
-              , let mine = [r | r@(Row name _ _ _ _ _ _) <- rows, name == ladderName ladder]
+              , let mine way = [r | r <- rows, rowLadder r == ladderName ladder, rowWay r == way]
+              , let doubles = mine "double"
               ]
           ]
-      , sectionFigures = []
+      , sectionFigures = [Figure "hard.svg" (plot plan rows) (caption rows)]
       , sectionData =
           [ ( "hard.csv"
-            , ["scenes", "k", "double_outcome", "missing", "spurious", "filtered_right", "exact_right"]
-                : [[name, show k, outcomeWord o, maybe "" show m, maybe "" show e, show a, show b] | Row name k o m e a b <- rows]
+            , words "scenes k arithmetic verdict missing spurious"
+                : [[rowLadder r, show (rowStep r), rowWay r] <> verdictCells (rowVerdict r) | r <- rows]
             )
           ]
       }
   where
+    exactWays = [name | (name, Here _) <- ways]
     outcomes rows =
-      [ ("right", length [() | Row _ _ o m e _ _ <- rows, not (isWrong o m e)])
-      , ("finished with wrong pairs and noticed nothing", length [() | Row _ _ o@(Finished _ _) m e _ _ <- rows, isWrong o m e])
-      , ("refused by a law", length [() | Row _ _ Refused _ _ _ _ <- rows])
-      , ("crashed", length [() | Row _ _ (Crashed _) _ _ _ _ <- rows])
-      , ("not finished in time", length [() | Row _ _ Unfinished _ _ _ _ <- rows])
+      [ (kindWord kind, length [() | r <- rows, rowWay r == "double", kindOf (rowVerdict r) == kind])
+      | kind <- [minBound .. maxBound]
       ]
     dash c = if c == ' ' then '-' else c
-    firstOf ks = case ks of
+    wrong rows = [r | r <- rows, rowVerdict r /= Correct]
+    firstWrong rows = case wrong rows of
       [] -> "never"
-      k : _ -> show k
-    isWrong (Finished _ _) m e = m /= Just 0 || e /= Just 0
-    isWrong _ _ _ = True
-    what o m e = case o of
-      Finished _ _ -> maybe "?" show m <> " pairs missing, " <> maybe "?" show e <> " spurious, and nothing noticed"
-      _ -> outcomeWord o
+      r : _ -> show (rowStep r)
+    firstWhat rows = concat (take 1 (map (what . rowVerdict) (wrong rows)))
+    share rows = show (length (wrong rows)) <> " of " <> show (length rows)
+    what verdict = case verdict of
+      Wrong missing extra ->
+        "pairs missing: " <> show missing <> ", spurious: " <> show extra <> ", and nothing noticed"
+      _ -> verdictWord verdict
+
+-- | Verdicts as they are told apart in the plot.
+data Kind = RightKind | WrongKind | RefusedKind | NoneKind
+  deriving (Eq, Enum, Bounded)
+
+kindOf :: Verdict -> Kind
+kindOf verdict = case verdict of
+  Correct -> RightKind
+  Wrong _ _ -> WrongKind
+  NoAnswer Refused -> RefusedKind
+  NoAnswer _ -> NoneKind
+
+kindWord :: Kind -> String
+kindWord kind = case kind of
+  RightKind -> "right"
+  WrongKind -> "finished with wrong pairs and noticed nothing"
+  RefusedKind -> "refused by a law"
+  NoneKind -> "crashed, or out of time or memory"
+
+plot :: Plan -> [Row] -> Plot
+plot plan rows =
+  Plot
+    { plotTitle = "Hard scenes: which arithmetic is right"
+    , plotDescription = "The verdict on each scene by family and arithmetic, from left to right as scenes get harder."
+    , plotAcross = Steps "k: the scene gets harder with it"
+    , plotUpwards = Names [Text.pack (family' <> ", " <> way) | (family', way) <- places]
+    , plotSeries =
+        [ Series (Text.pack (kindWord kind)) style marker Apart $
+            [ (fromIntegral (rowStep r), height)
+            | (height, place) <- zip [0 ..] places
+            , r <- rows
+            , (rowLadder r, rowWay r) == place
+            , kindOf (rowVerdict r) == kind
+            ]
+        | (kind, style, marker) <-
+            [ (RightKind, Series2, Circle)
+            , (WrongKind, Series3, Cross)
+            , (RefusedKind, Series5, Triangle)
+            , (NoneKind, Series7, Square)
+            ]
+        ]
+    }
+  where
+    -- From below.
+    places = reverse [(ladderName ladder, way) | ladder <- ladders plan, (way, _) <- ways]
+
+caption :: [Row] -> Text.Text
+caption rows =
+  "Scenes of six families under four arithmetics: a row for each family and arithmetic, a mark for each scene, harder \
+  \from left to right. k is the exponent of a gap 2^-k, of a distance or a size 2^k, or a number of tiny triangles, \
+  \as the table says. A circle: all visible pairs are right. A cross: pairs are wrong, and nothing noticed it. A \
+  \triangle: a law of the sweep was broken and noticed. A square: no answer. Doubles are wrong, or without an answer, \
+  \on "
+    <> Text.pack (show (length (wrongBy (== "double"))))
+    <> " of "
+    <> Text.pack (show (length [() | r <- rows, rowWay r == "double"]))
+    <> " scenes; rational, filtered and exact arithmetic on "
+    <> Text.pack (show (length (wrongBy (/= "double"))))
+    <> " of "
+    <> Text.pack (show (length [() | r <- rows, rowWay r /= "double"]))
+    <> ". The rational baseline computes on lattice integers, with denominator 1."
+  where
+    wrongBy way = [() | r <- rows, way (rowWay r), rowVerdict r /= Correct]
 
 scene' :: [[Point]] -> RawScene
 scene' = RawScene Nothing Nothing . map rawPolygon
@@ -119,9 +201,9 @@ slit k =
     ]
 needles k =
   scene'
-    [ [Point (j / 7) (j / 3 + y), Point (1 + j / 11) (j / 3 + y + 1 / 3 + tiny k / 3), Point (j / 7) (j / 3 + y + tiny k)]
+    [ [Point (j / 7) base, Point (1 + j / 11) (base + 1 / 3 + tiny k / 3), Point (j / 7) (base + tiny k)]
     | j <- map fromInteger [0 .. 11]
-    , let y = j * tiny k * 2
+    , let base = j / 3 + j * tiny k * 2
     ]
 far k =
   RawScene Nothing Nothing $

@@ -3,8 +3,11 @@ module Report.Measure
   ( bestTime
   , timed
   , Outcome (..)
-  , outcomeWord
+  , Failure (..)
+  , failureWord
   , runChild
+  , runContained
+  , leastClock
   , ended
   ) where
 
@@ -13,6 +16,7 @@ import Control.Monad (replicateM)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.IORef (newIORef, readIORef)
 import GHC.Clock (getMonotonicTime)
+import Report.Paper (Plan (..))
 import System.CPUTime (getCPUTime)
 import System.Environment (getExecutablePath)
 import System.Exit (ExitCode (..))
@@ -27,10 +31,10 @@ import Visibility.Law (Violation)
 -- | The least processor time of some runs, in seconds, and the result of one. The argument comes out of a cell, so that
 -- no run can share the result of another.
 bestTime :: Int -> a -> (a -> b) -> IO (Double, b)
-bestTime runs argument work = do
+bestTime count argument work = do
   cell <- newIORef argument
   performGC
-  results <- replicateM (max 1 runs) (timed (readIORef cell >>= evaluate . work))
+  results <- replicateM (max 1 count) (timed (readIORef cell >>= evaluate . work))
   case results of
     (_, result) : _ -> pure (minimum (map fst results), result)
     [] -> timed (evaluate (work argument))
@@ -47,19 +51,41 @@ timed action = do
 data Outcome
   = -- | It printed a result, in so many seconds of the clock.
     Finished !Double !Bytes.ByteString
-  | -- | It noticed that a law was broken, and refused to go on.
+  | Failed !Failure
+
+-- | Why there is no result.
+data Failure
+  = -- | It noticed that a law was broken, and refused to go on.
     Refused
   | -- | Another exit code.
     Crashed !Int
   | -- | It was stopped after the time allowed.
-    Unfinished
+    OutOfTime
+  | -- | It wanted more memory than it was allowed.
+    OutOfMemory
+  deriving (Eq)
 
-outcomeWord :: Outcome -> String
-outcomeWord outcome = case outcome of
-  Finished _ _ -> "finished"
+failureWord :: Failure -> String
+failureWord failure = case failure of
   Refused -> "refused by a law"
   Crashed code -> "crashed with code " <> show code
-  Unfinished -> "not finished"
+  OutOfTime -> "not finished in time"
+  OutOfMemory -> "out of memory"
+
+-- | Runs this program with other arguments where they may never end: with the plan's limits of time and memory.
+runContained :: Plan -> [String] -> IO Outcome
+runContained plan arguments = runChild (timeLimit plan) (arguments <> ["+RTS", heap, "-RTS"])
+  where
+    heap = "-M" <> show (memoryLimit plan) <> "m"
+
+-- | The time of a whole command by the clock, from the start of the process to its end: the least of some runs, if
+-- any ended well.
+leastClock :: Plan -> [String] -> IO (Maybe Double)
+leastClock plan arguments = do
+  outcomes <- replicateM (max 1 (runs plan)) (runChild (60 * timeLimit plan) arguments)
+  pure $ case [seconds | Finished seconds _ <- outcomes] of
+    [] -> Nothing
+    times -> Just (minimum times)
 
 -- | Runs this program with other arguments, for at most so many seconds.
 runChild :: Double -> [String] -> IO Outcome
@@ -76,10 +102,13 @@ runChild limit arguments = withSystemTempDirectory "viscomplex-report" $ \folder
           Nothing -> Nothing <$ (terminateProcess process >> waitForProcess process)
   finished <- getMonotonicTime
   case code of
-    Nothing -> pure Unfinished
+    Nothing -> pure (Failed OutOfTime)
     Just ExitSuccess -> Finished (finished - begun) <$> Bytes.readFile file
-    Just (ExitFailure 70) -> pure Refused
-    Just (ExitFailure other) -> pure (Crashed other)
+    Just (ExitFailure number) -> pure . Failed $ case number of
+      70 -> Refused
+      -- That of the runtime system for an exhausted heap.
+      251 -> OutOfMemory
+      _ -> Crashed number
 
 -- | A value that unsafe arithmetic may not come to: 'Nothing' where a law breaks on the way.
 ended :: a -> IO (Maybe a)

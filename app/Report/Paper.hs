@@ -10,6 +10,7 @@ module Report.Paper
   , csv
   , sig
   , micro
+  , timeCell
   ) where
 
 import Data.List (intercalate)
@@ -53,24 +54,41 @@ data Plan = Plan
   , hardSteps :: ![Int]
   , timeLimit :: !Double
   -- ^ For a child, in seconds.
+  , memoryLimit :: !Int
+  -- ^ For a child under the unsafe arithmetic, in megabytes.
   }
 
 planOf :: Thoroughness -> Plan
 planOf Quick =
-  Plan [8, 32, 128] 64 64 550 2 [30] [1000, 10000, 100000] [1, 4, 16] [10, 100, 1000] [0, 6 .. 66] 5
+  Plan
+    { ladderSizes = [8, 32, 128]
+    , otherSize = 64
+    , bruteForceLimit = 64
+    , slowLimit = 550
+    , runs = 2
+    , factorSizes = [30]
+    , lineCounts = [1000, 10000, 100000]
+    , pointCounts = [1, 4, 16]
+    , directionCounts = [10, 100, 1000]
+    , hardSteps = [0, 6 .. 66]
+    , timeLimit = 5
+    , memoryLimit = 500
+    }
 planOf Full =
   Plan
-    [8, 32, 128, 512, 2048]
-    256
-    160
-    2100
-    3
-    [30, 100]
-    [1000, 10000, 100000, 1000000, 10000000]
-    [1, 4, 16, 64, 256]
-    [10, 100, 1000, 10000]
-    [0, 2 .. 70]
-    20
+    { ladderSizes = [8, 32, 128, 512, 2048]
+    , otherSize = 256
+    , bruteForceLimit = 160
+    , slowLimit = 2100
+    , runs = 3
+    , factorSizes = [30, 100]
+    , lineCounts = [1000, 10000, 100000, 1000000, 10000000]
+    , pointCounts = [1, 4, 16, 64, 256]
+    , directionCounts = [10, 100, 1000, 10000]
+    , hardSteps = [0, 2 .. 70]
+    , timeLimit = 20
+    , memoryLimit = 1000
+    }
 
 -- | A number with three digits.
 sig :: Double -> String
@@ -80,6 +98,10 @@ sig x
   | otherwise = showEFloat (Just 2) x ""
   where
     places = max 0 (2 - floor (logBase 10 (abs x))) :: Int
+
+-- | A time, or nothing where none was measured.
+timeCell :: Maybe Double -> String
+timeCell = maybe "" ((<> " s") . sig)
 
 -- | Microseconds of seconds.
 micro :: Double -> String

@@ -3,16 +3,15 @@
 -- | The report's first section: arithmetic and scheduler on the ladder and on hard scenes.
 module Report.Topology
   ( topologySection
-  , graphErrors
   ) where
 
 import Control.Monad (forM)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.List (sort)
-import qualified Data.Set as Set
+import Report.Degenerate
 import Report.Measure
 import Report.Paper
 import Report.Scenes
+import Report.Verdict (differences)
 import Visibility.Count (Signs (..), countingSigns)
 import Visibility.Draw.Drawing (Style (..))
 import Visibility.Exact.Point (Arithmetic (..))
@@ -35,47 +34,78 @@ data Row = Row
   , rowSigns :: !(Maybe Signs)
   }
 
-topologySection :: (String -> IO ()) -> Plan -> FilePath -> IO Section
-topologySection progress plan folder = do
+-- | The folder of degenerate scenes comes first, then that of the report.
+topologySection :: FilePath -> (String -> IO ()) -> Plan -> FilePath -> IO Section
+topologySection degenerateFolder progress plan folder = do
   ladder <- mapM (saved . familyCase folder Random) (ladderSizes plan)
   others <-
     mapM (saved . uncurry (familyCase folder)) $
-      [(kind, otherSize plan) | kind <- [Grid, Needles, Checkerboard, Terraces, ThinWalls, Comb]] <> [(Kettner, k) | k <- [8, 40]]
+      [(kind, otherSize plan) | kind <- [Grid, Needles, Checkerboard, Terraces, ThinWalls, Comb]]
+        <> [(Kettner, k) | k <- [8, 40]]
   large <- saved (rawCase folder "random-128-times-3^40" (enlarged (3 ^ (40 :: Int)) (familyCase folder Random 128)))
-  rows <- concat <$> forM (ladder <> [large] <> others) (\found -> progress ("topology: " <> caseName found) >> rowsOf plan found)
+  rows <- concat <$> forM (ladder <> [large] <> others) (\found -> do
+    progress ("topology: " <> caseName found)
+    rowsOf plan found)
+  commands <- forM (ladder <> [large]) $ \found -> do
+    progress ("topology: commands on " <> caseName found)
+    times <- forM graphCommands (\arguments -> leastClock plan (arguments <> [caseFile found]))
+    pure (found, zip (map unwords graphCommands) times)
+  degenerate <- degenerateScenes progress plan degenerateFolder
   pure
     Section
       { sectionTitle = "Topology: arithmetic and scheduler"
       , sectionText =
-          [ "Time is the least processor time of several sweeps in this process, of a scene that has been read and checked, \
-            \per elementary visible pair. *filtered* is machine integers where they provably fit, else a floating-point \
-            \filter with integers behind it; *exact* is integers of any size; *rational* is determinants of rationals, here those of the lattice, whose denominators are one; \
-            \*double* has no bound and may be wrong. The topological sweep takes vertices in any legal order, the straight \
-            \one by direction; brute force asks every pair of corners from the definition."
-          , "Doubles were first tried in a process of their own, with a time limit: `viscomplex graph --arithmetic double`. \
-            \Only where it came to an end was it timed here. *Missing* and *spurious* count vertices against those of the \
-            \straight sweep in integers. *Open sides* are those whose form factors do not add up to what is not covered of \
-            \them, decided exactly, on the topology found; they are left out above 2100 corners and for brute force."
+          [ "Time is the least processor time of several sweeps in this process, of a scene that has been read and \
+            \checked, per elementary visible pair. *filtered* is machine integers where they provably fit, else a \
+            \floating-point filter with integers behind it; *exact* is integers of any size; *rational* is \
+            \determinants of rationals, but of those of the lattice, whose denominators are one, not of the file's; \
+            \*double* has no bound and may be wrong. The topological sweep takes vertices in any legal order, the \
+            \straight one by direction; brute force asks every pair of corners from the definition."
+          , "Doubles were first tried in a process of their own, with limits of time and memory: `viscomplex graph \
+            \--arithmetic double`. Only where it came to an end was it timed here. *Missing* and *spurious* count \
+            \vertices against those of the straight sweep in integers. *Open sides* are those whose form factors do \
+            \not add up to what is not covered of them, decided exactly, on the topology found; they are left out \
+            \above 2100 corners and for brute force."
+          , degenerateText degenerate
           ]
       , sectionTables =
           [ Table
-              "Every arithmetic and scheduler on every scene. Signs: how many the filter was asked, and the share that it left to integers; empty where machine integers decide all."
-              ["scene", "corners", "pairs", "arithmetic", "scheduler", "µs per pair", "outcome", "missing", "spurious", "open sides", "signs", "left"]
+              "Every arithmetic and scheduler on every scene. Rational: on lattice integers, denominator 1. Signs: \
+              \how many the filter was asked, and the share that it left to integers; empty where machine integers \
+              \decide all."
+              ( words "scene corners pairs arithmetic scheduler"
+                  <> ["µs per pair", "outcome", "missing", "spurious", "open sides", "signs", "left"]
+              )
               (map cellsOf rows)
+          , Table
+              "Whole commands, from the start of the process to its end, reading and printing included, by the clock, \
+              \the least of several runs: the visible pairs in the order of their names, and as they are swept."
+              (["scene", "corners", "pairs"] <> map unwords graphCommands)
+              [sizesOf found <> map (timeCell . snd) times | (found, times) <- commands]
           ]
+            <> degenerateTable degenerate
       , sectionFigures = [Figure "topology.svg" (ladderPlot ladder rows) caption]
       , sectionData =
           [ ( "topology.csv"
-            , ["scene", "corners", "pairs", "arithmetic", "scheduler", "us_per_pair", "outcome", "missing", "spurious", "open_sides", "signs", "signs_left"]
+            , words "scene corners pairs arithmetic scheduler us_per_pair outcome missing spurious open_sides"
+                <> ["signs", "signs_left"]
                 : map rawCells rows
             )
+          , ( "topology-commands.csv"
+            , words "scene corners pairs command seconds"
+                : [sizesOf found <> [name, maybe "" show time] | (found, times) <- commands, (name, time) <- times]
+            )
           ]
+            <> degenerateData degenerate
       }
   where
+    graphCommands = [["graph"], ["graph", "--unsorted"]]
+    sizesOf found = [caseName found, show (cornerCount (caseScene found)), show (pairsSwept (finish (caseScene found)))]
     caption =
-      "Random quadrilaterals: processor time per elementary visible pair against the number of corners, for each arithmetic \
-      \under the topological sweep, and for the straight sweep in filtered arithmetic and brute force in integers. A level line is time \
-      \in proportion to the output."
+      "Random quadrilaterals: processor time per elementary visible pair against the number of corners, for each \
+      \arithmetic under the topological sweep, and for the straight sweep in filtered arithmetic and brute force in \
+      \integers. The rational baseline computes on lattice integers, with denominator 1. A level line is time in \
+      \proportion to the output."
 
 rowsOf :: Plan -> Case -> IO [Row]
 rowsOf plan found = do
@@ -106,13 +136,6 @@ rowsOf plan found = do
     scene = caseScene found
     small limit = cornerCount scene <= limit
 
--- | How many vertices are missing, and how many should not be there.
-differences :: [Vertex] -> [Vertex] -> (Int, Int)
-differences truth list = (Set.size (known Set.\\ s), Set.size (s Set.\\ known))
-  where
-    known = Set.fromList truth
-    s = Set.fromList list
-
 -- | How many sides do not close.
 openSides :: Scene -> Scheduler -> Int
 openSides scene scheduler =
@@ -125,29 +148,23 @@ schedulerWord Straight = "straight"
 -- | Doubles: first in a process of their own.
 unsafeRow :: Plan -> Case -> Int -> [Vertex] -> Scheduler -> IO Row
 unsafeRow plan found pairs truth scheduler = do
-  outcome <- runChild (timeLimit plan) ["graph", "--arithmetic", "double", "--scheduler", schedulerWord scheduler, caseFile found]
-  let row = Row found pairs "double" (schedulerWord scheduler)
+  outcome <- runContained plan ["graph", "--arithmetic", "double", "--scheduler", word, caseFile found]
   case outcome of
+    Failed failure -> pure (without failure)
     Finished _ _ -> do
       swept <- ended (length (verticesBy scheduler under))
       case swept of
-        Nothing -> pure (row Nothing (outcomeWord Refused) Nothing Nothing Nothing Nothing)
+        Nothing -> pure (without Refused)
         Just _ -> do
           (seconds, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
           let (missing, extra) = differences truth (verticesBy scheduler under)
           open <- ended (openSides under scheduler)
-          pure (row (Just seconds) (outcomeWord outcome) (Just missing) (Just extra) open Nothing)
-    _ -> pure (row Nothing (outcomeWord outcome) Nothing Nothing Nothing Nothing)
+          pure (row (Just seconds) "finished" (Just missing) (Just extra) open Nothing)
   where
     under = underArithmetic UnsafeDouble (caseScene found)
-
--- | How many lines of the exact graph are missing, and how many others there are.
-graphErrors :: Outcome -> Bytes.ByteString -> (Maybe Int, Maybe Int)
-graphErrors (Finished _ exact) printed = (Just (Set.size (a Set.\\ b)), Just (Set.size (b Set.\\ a)))
-  where
-    a = Set.fromList (Bytes.lines exact)
-    b = Set.fromList (Bytes.lines printed)
-graphErrors _ _ = (Nothing, Nothing)
+    word = schedulerWord scheduler
+    row = Row found pairs "double" word
+    without failure = row Nothing (failureWord failure) Nothing Nothing Nothing Nothing
 
 cellsOf, rawCells :: Row -> [String]
 cellsOf row =
@@ -164,27 +181,35 @@ rawCells row =
     <> maybe ["", ""] (\(Signs decided left) -> [show decided, show left]) (rowSigns row)
 
 opening :: Row -> [String]
-opening row = [caseName (rowCase row), show (cornerCount (caseScene (rowCase row))), show (rowPairs row), rowArithmetic row, rowScheduler row]
+opening row =
+  [ caseName (rowCase row)
+  , show (cornerCount (caseScene (rowCase row)))
+  , show (rowPairs row)
+  , rowArithmetic row
+  , rowScheduler row
+  ]
 
 ladderPlot :: [Case] -> [Row] -> Plot
 ladderPlot ladder rows =
   Plot
     { plotTitle = "Time per visible pair on random quadrilaterals"
-    , plotDescription = "Microseconds per elementary visible pair against the number of corners, both logarithmic, by arithmetic and scheduler."
-    , plotAcross = "corners"
-    , plotUpwards = "µs per visible pair"
+    , plotDescription =
+        "Microseconds per elementary visible pair against the number of corners, both logarithmic, by arithmetic and \
+        \scheduler."
+    , plotAcross = Decades "corners"
+    , plotUpwards = Decades "µs per visible pair"
     , plotSeries =
         [ series "filtered, topological" Series1 Circle "filtered" "topological"
         , series "filtered, straight" Series2 Square "filtered" "straight"
         , series "double, topological" Series3 Cross "double" "topological"
         , series "exact, topological" Series4 Triangle "exact" "topological"
-        , series "rational, topological" Series5 Diamond "rational" "topological"
+        , series "rational on the lattice, topological" Series5 Diamond "rational" "topological"
         , series "brute force" Series6 Plus "integers" "brute force"
         ]
     }
   where
     series name style marker arithmetic scheduler =
-      Series name style marker $
+      Series name style marker Joined $
         [ (fromIntegral (cornerCount (caseScene (rowCase r))), 1e6 * t / fromIntegral (rowPairs r))
         | r <- rows
         , caseName (rowCase r) `elem` map caseName ladder

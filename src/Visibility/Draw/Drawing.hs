@@ -141,6 +141,7 @@ data Style
   | Series6
   | Series7
   | Series8
+  | Series9
   | Axis
   | -- | The line u = 0 or another faint line of reference.
     Reference
@@ -270,7 +271,7 @@ strokeWidth density style = case style of
   Reference -> 0.8
   Tick -> 0.8
   Leader -> 0.7
-  _ | Series1 <= style && style <= Series8 -> 1.3
+  _ | Series1 <= style && style <= Series9 -> 1.3
   _ -> 0
   where
     by = byDensity density

@@ -160,6 +160,7 @@ look density style = case style of
   Series6 -> line "#6b4a9e"
   Series7 -> line "#7a7a7a"
   Series8 -> line "#00808c"
+  Series9 -> line "#b5308c"
   Axis -> line dark
   Reference -> line "#b5b5b5"
   Tick -> line dark

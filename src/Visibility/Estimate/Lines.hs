@@ -37,7 +37,8 @@ randomLines seed count sides = matrixFrom (U.length (lengths sides)) (go (mkSMGe
           go generator'' (left - 1) put
 
 -- | So many directions at equal distances, each with all its lines: between two corners' offsets the line sees the
--- same, so a direction gives exact widths, up to rounding.
+-- same, so a direction gives exact widths, up to rounding. Directions are sampled: the faces of the complex, whose
+-- areas the propositions have in closed form, are not used.
 --
 -- /Cost/ O(n²) for each direction.
 dualAreas :: Int -> Sides -> Matrix

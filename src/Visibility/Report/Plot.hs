@@ -1,46 +1,61 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Plots with logarithmic axes, as drawings.
+-- | Plots by logarithms, in proportion or by names, as drawings.
 module Visibility.Report.Plot
   ( Plot (..)
+  , Scale (..)
   , Series (..)
+  , Join (..)
   , Marker (..)
   , plotDrawing
   ) where
 
+import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
 import Visibility.Draw.Legend
 
--- | What is plotted. Points with a coordinate that is not positive are left out.
+-- | What is plotted.
 data Plot = Plot
   { plotTitle :: !Text
   , plotDescription :: !Text
-  , plotAcross :: !Text
-  -- ^ What the horizontal axis tells, with its unit.
-  , plotUpwards :: !Text
+  , plotAcross :: !Scale
+  , plotUpwards :: !Scale
   , plotSeries :: ![Series]
   }
   deriving (Eq, Show)
 
--- | Points that belong together, from left to right as listed, and whether a line joins them.
+-- | What an axis tells, with its unit, and where a value has its place; points without one are left out.
+data Scale
+  = -- | By logarithms, in decades, at least one; around 1 without values. What is not positive has no place.
+    Decades !Text
+  | -- | In proportion, from 0 on, a tick at each multiple of a power of ten. What is negative has no place.
+    Steps !Text
+  | -- | Names at equal distances from the origin on, for the values 0, 1 and so on. Other values have no place.
+    Names ![Text]
+  deriving (Eq, Show)
+
+-- | Points that belong together, from left to right as listed.
 data Series = Series
   { seriesName :: !Text
   , seriesStyle :: !Style
   -- ^ One of the series styles.
   , seriesMarker :: !Marker
+  , seriesJoin :: !Join
   , seriesPoints :: ![(Double, Double)]
   }
   deriving (Eq, Show)
 
+-- | Whether a line joins the points of a series.
+data Join = Joined | Apart
+  deriving (Eq, Show)
+
 -- | The shape of a point, so that series can be told apart without colour.
-data Marker = Circle | Square | Triangle | Diamond | Cross | Plus | Wedge | Bar
+data Marker = Circle | Square | Triangle | Diamond | Cross | Plus | Wedge | Bar | Star
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | The plot: both axes in decades, a faint line at each, the legend below.
---
--- /Degenerate cases/ axes span at least one decade; without points, one around 1.
+-- | The plot: a faint line at each step of either axis, the legend below.
 plotDrawing :: Plot -> Drawing
 plotDrawing plot =
   Drawing
@@ -50,46 +65,115 @@ plotDrawing plot =
     , drawingHeight = height
     , drawingLayers =
         [ Layer "grid" Sparse (map (plain Reference . Polyline) (vertical <> horizontal))
-        , Layer "axes" Sparse [plain Axis (Polyline [at x0 y1, at x0 y0, at x1 y0])]
-        , Layer "lines" Sparse [Mark (seriesName s) (seriesStyle s) (Polyline (map toPlace (seriesPoints s))) | s <- shown, joinedUp s]
-        , Layer "points" Sparse [mark | s <- shown, p <- seriesPoints s, mark <- marker s (toPlace p)]
+        , Layer "axes" Sparse [plain Axis (Polyline [at 0 1, at 0 0, at 1 0])]
+        , Layer
+            "lines"
+            Sparse
+            [Mark (seriesName s) (seriesStyle s) (Polyline places) | (s, places@(_ : _ : _)) <- shown, joined s]
+        , Layer "points" Sparse [mark | (s, places) <- shown, p <- places, mark <- marker s p]
         , Layer "labels" Sparse labels
-        , Layer "legend" Sparse (legend left legendTop (width - left - 12) (map entry (plotSeries plot)))
+        , Layer "legend" Sparse (legend legendLeft legendTop legendWidth entries)
         ]
     }
   where
     width = 760
-    left = 78
+    -- Names keep clear of points on the axis.
+    (left, gap) = case plotUpwards plot of
+      Names names -> (maximum (78 : map ((+ 24) . textWidth TickLabel) names), 12)
+      _ -> (78, 6)
     right = width - 24
-    entries = legendHeight (width - left - 12) (map entry (plotSeries plot))
-    legendTop = entries + 8
+    legendLeft = 24
+    legendWidth = width - legendLeft - 12
+    entries = map entry (plotSeries plot)
+    legendTop = legendHeight legendWidth entries + 8
     bottom = legendTop + 56
-    top = bottom + 360
+    top = bottom + case plotUpwards plot of
+      Names names -> max 120 (17 * fromIntegral (length names))
+      _ -> 360
     height = top + 54
-    shown = [s {seriesPoints = filter positive (seriesPoints s)} | s <- plotSeries plot]
-    positive (x, y) = x > 0 && y > 0 && not (isInfinite x || isInfinite y)
-    joinedUp s = length (seriesPoints s) > 1
-    points = concatMap seriesPoints shown
-    (x0, x1) = decades (map fst points)
-    (y0, y1) = decades (map snd points)
-    toPlace (x, y) = Place (spread left right x0 x1 x) (spread bottom top y0 y1 y)
-    spread low high from to v = low + (high - low) * (logBase 10 v - fromIntegral from) / fromIntegral (to - from)
-    vertical = [[at x y0, at x y1] | x <- [x0 + 1 .. x1]]
-    horizontal = [[at x0 y, at x1 y] | y <- [y0 + 1 .. y1]]
-    at x y = Place (spread left right x0 x1 (10 ^^ x)) (spread bottom top y0 y1 (10 ^^ y))
+    across = rulerFor (plotAcross plot) (map fst points)
+    upwards = rulerFor (plotUpwards plot) (map snd points)
+    points = concatMap seriesPoints (plotSeries plot)
+    shown = [(s, mapMaybe toPlace (seriesPoints s)) | s <- plotSeries plot]
+    toPlace (a, b) = at <$> place across a <*> place upwards b
+    joined s = seriesJoin s == Joined
+    -- A place by the parts of both axes.
+    at x y = Place (left + (right - left) * x) (bottom + (top - bottom) * y)
+    vertical = [[at x 0, at x 1] | x <- steps across]
+    horizontal = [[at 0 y, at 1 y] | y <- steps upwards]
     labels =
       [plain FigureTitle (Label StartAnchor (Place 14 (height - 22)) (plotTitle plot))]
-        <> [plain TickLabel (Label MiddleAnchor (Place x (bottom - 18)) (decade k)) | k <- every x0 x1, let Place x _ = at k y0]
-        <> [plain TickLabel (Label EndAnchor (Place (left - 6) (y - 4)) (decade k)) | k <- every y0 y1, let Place _ y = at x0 k]
-        <> [ plain AxisTitle (Label EndAnchor (Place right (bottom - 40)) (plotAcross plot))
-           , plain AxisTitle (Label StartAnchor (Place left (top + 8)) (plotUpwards plot))
+        <> [ plain TickLabel (Label MiddleAnchor (Place x (bottom - 18)) text)
+           | (part, text) <- ticks across
+           , let Place x _ = at part 0
            ]
-    -- Not more labels than there is room for.
-    every from to = [from, from + max 1 ((to - from + 11) `div` 12) .. to]
+        <> [ plain TickLabel (Label EndAnchor (Place (left - gap) (y - 4)) text)
+           | (part, text) <- ticks upwards
+           , let Place _ y = at 0 part
+           ]
+        <> [plain AxisTitle (Label EndAnchor (Place right (bottom - 40)) text) | text <- titleOf (plotAcross plot)]
+        <> [plain AxisTitle (Label StartAnchor (Place left (top + 8)) text) | text <- titleOf (plotUpwards plot)]
     entry s = Entry (\(Box l b r t) -> swatch s l b r t) (seriesName s)
     swatch s l b r t =
-      [plain (seriesStyle s) (Polyline [Place l ((b + t) / 2), Place r ((b + t) / 2)])]
+      [plain (seriesStyle s) (Polyline [Place l ((b + t) / 2), Place r ((b + t) / 2)]) | joined s]
         <> marker s (Place ((l + r) / 2) ((b + t) / 2))
+
+titleOf :: Scale -> [Text]
+titleOf scale = case scale of
+  Decades title -> [title]
+  Steps title -> [title]
+  Names _ -> []
+
+-- | An axis, all places on it as parts of its length.
+data Ruler = Ruler
+  { place :: Double -> Maybe Double
+  , steps :: [Double]
+  -- ^ Where the faint lines are.
+  , ticks :: [(Double, Text)]
+  }
+
+-- | The axis that has room for all these values, as far as they have a place.
+rulerFor :: Scale -> [Double] -> Ruler
+rulerFor scale values = case scale of
+  Decades _ ->
+    Ruler
+      { place = \v ->
+          if positive v then Just ((logBase 10 v - fromIntegral low) / fromIntegral (high - low)) else Nothing
+      , steps = map decadePart [low + 1 .. high]
+      , -- Not more labels than there is room for.
+        ticks = [(decadePart k, decade k) | k <- [low, low + max 1 ((high - low + 11) `div` 12) .. high]]
+      }
+  Steps _ ->
+    Ruler
+      { place = \v -> if v >= 0 && finite v then Just (v / end) else Nothing
+      , steps = drop 1 multiples
+      , ticks = [(part, multiple k) | (part, k) <- zip multiples [0 :: Int ..]]
+      }
+  Names names ->
+    let count = length names
+        part k = (fromIntegral k + 0.5) / fromIntegral count
+        known = zip [0 :: Int ..] names
+     in Ruler
+          { place = \v -> case [k | (k, _) <- known, fromIntegral k == v] of
+              k : _ -> Just (part k)
+              [] -> Nothing
+          , steps = [fromIntegral k / fromIntegral count | (k, _) <- drop 1 known]
+          , ticks = [(part k, name) | (k, name) <- known]
+          }
+  where
+    finite v = not (isInfinite v || isNaN v)
+    positive v = v > 0 && finite v
+    (low, high) = decades (filter positive values)
+    decadePart k = fromIntegral (k - low) / fromIntegral (high - low)
+    largest = maximum (1 : filter finite values)
+    power = max 0 (ceiling (logBase 10 (largest / 12))) :: Int
+    step = 10 ^ power :: Double
+    count' = max 1 (ceiling (largest / step)) :: Int
+    end = fromIntegral count' * step
+    multiple k
+      | k == 0 || power <= 3 = Text.pack (show (k * 10 ^ power))
+      | otherwise = Text.pack (show k <> "e" <> show power)
+    multiples = [fromIntegral k / fromIntegral count' | k <- [0 .. count']]
 
 -- | The decades that hold all values, at least one.
 decades :: [Double] -> (Int, Int)
@@ -117,4 +201,9 @@ marker s (Place x y) = map (Mark (seriesName s) (seriesStyle s)) shapes
       Plus -> [Polyline [at (-5) 0, at 5 0], Polyline [at 0 (-5), at 0 5]]
       Wedge -> [Region [at (-4.4) 3.2, at 4.4 3.2, at 0 (-4.8)]]
       Bar -> [Region [at (-5.5) (-1.8), at 5.5 (-1.8), at 5.5 1.8, at (-5.5) 1.8]]
+      Star ->
+        [ Polyline [at (-6 * cos a) (-6 * sin a), at (6 * cos a) (6 * sin a)]
+        | k <- [0 .. 2 :: Int]
+        , let a = pi * (fromIntegral k + 0.5) / 3
+        ]
     at dx dy = Place (x + dx) (y + dy)
