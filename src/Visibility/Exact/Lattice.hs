@@ -9,6 +9,7 @@ module Visibility.Exact.Lattice
     -- * The lattice
   , Lattice (..)
   , latticeFor
+  , latticeOver
   , latticeScale
   , ontoLattice
   , fromLattice
@@ -26,6 +27,7 @@ module Visibility.Exact.Lattice
     -- * Many points
   , Places (..)
   , placesFrom
+  , placesOver
   , placesOn
   , wholePlaces
   , placeAt
@@ -36,8 +38,10 @@ module Visibility.Exact.Lattice
   ) where
 
 import Data.Bits (shiftL)
+import Data.Foldable (foldlM)
 import Data.Int (Int32)
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -65,27 +69,33 @@ data Lattice = Lattice !Integer !Vector2
 --
 -- /Cost/ O(n) multiplications of the coordinates' size.
 latticeFor :: [Point] -> Lattice
-latticeFor [] = Lattice 1 (Vector2 0 0)
-latticeFor points@(Point x0 y0 : rest) = Lattice scale (Vector2 (below left) (below bottom))
-  where
-    Corner left bottom longest = foldl' widened (Corner x0 y0 (bitLength (ownDenominator (Point x0 y0)))) rest
-    below v = floor (v * (scale % 1))
-    scale = common 1 points
-    common found [] = found
-    common found (point : others)
-      | own == 1 = common found others
-      | bitLength found' > 64 + 4 * longest = 1
-      | otherwise = common found' others
-      where
-        own = ownDenominator point
-        found' = found `lcm` own
+latticeFor points = latticeOver (const points) [()]
+
+-- | The same for the points of several things, which are looked at anew in each of several passes: so none need be kept.
+latticeOver :: (a -> [Point]) -> [a] -> Lattice
+latticeOver pointsOf items = case foldl' (\found item -> foldl' widened found (pointsOf item)) Nothing items of
+  Nothing -> Lattice 1 (Vector2 0 0)
+  Just (Corner left bottom longest) -> Lattice scale (Vector2 (below left) (below bottom))
+    where
+      below v = floor (v * (scale % 1))
+      scale = fromMaybe 1 (foldlM (\found item -> foldlM common found (pointsOf item)) 1 items)
+      common found point
+        | own == 1 = Just found
+        | bitLength found' > 64 + 4 * longest = Nothing
+        | otherwise = Just found'
+        where
+          own = ownDenominator point
+          found' = found `lcm` own
 
 -- The least x, the least y, and the bits of the longest denominator of a point.
 data Corner = Corner !Rational !Rational !Int
 
-widened :: Corner -> Point -> Corner
-widened (Corner left bottom longest) point@(Point x y) =
-  Corner (min left x) (min bottom y) (max longest (bitLength (ownDenominator point)))
+widened :: Maybe Corner -> Point -> Maybe Corner
+widened found point@(Point x y) = Just $! case found of
+  Nothing -> Corner x y own
+  Just (Corner left bottom longest) -> Corner (min left x) (min bottom y) (max longest own)
+  where
+    own = bitLength (ownDenominator point)
 
 ownDenominator :: Point -> Integer
 ownDenominator (Point x y)
@@ -155,16 +165,23 @@ data Places
 
 -- | /Cost/ O(n).
 placesFrom :: [LatticePoint] -> Places
-placesFrom points
-  | all fits points = SmallPlaces (U.fromList (concat [[fromInteger x, fromInteger y] | LatticePoint x y _ <- points]))
-  | otherwise = LargePlaces (V.fromList points)
-  where
-    fits (LatticePoint x y w) = w == 1 && inRange x && inRange y
-    inRange v = v >= 0 && v < 1 `shiftL` 31
+placesFrom points = placesOver (const points) [()]
 
 -- | The places of a file's points.
 placesOn :: Lattice -> [Point] -> Places
 placesOn lattice = placesFrom . map (ontoLattice lattice)
+
+-- | All points of several things, which are looked at anew in each of several passes: so none need be kept.
+placesOver :: (a -> [LatticePoint]) -> [a] -> Places
+placesOver pointsOf items
+  | U.any (< 0) small = LargePlaces (V.fromList (concatMap pointsOf items))
+  | otherwise = SmallPlaces small
+  where
+    small = U.fromList (concatMap (concatMap both . pointsOf) items)
+    both (LatticePoint x y w)
+      | w == 1 && inRange x && inRange y = [fromInteger x, fromInteger y]
+      | otherwise = [-1]
+    inRange v = v >= 0 && v < 1 `shiftL` 31
 
 -- | The places at the ends of vectors from the origin.
 wholePlaces :: [Vector2] -> Places

@@ -2,7 +2,7 @@
 module Visibility.Scene.Contact
   ( -- * Corners with their ranks
     Ranked (..)
-  , cornerTotal
+  , rankedTotal
   , column
   , row
   , ranked
@@ -42,8 +42,8 @@ ranked places = Ranked (pointsOn Filtered places) $ case places of
     interleaved xs ys = U.generate (2 * U.length xs) (\k -> (if even k then xs else ys) U.! (k `quot` 2))
 
 -- | The number of corners.
-cornerTotal :: Ranked -> Int
-cornerTotal r = U.length (rankTable r) `quot` 2
+rankedTotal :: Ranked -> Int
+rankedTotal r = U.length (rankTable r) `quot` 2
 
 -- | Equal columns are equal x, lesser ones lesser x.
 column, row :: Ranked -> Int -> Int

@@ -49,9 +49,9 @@ boundaries r segments
   | otherwise = sweep 0 Seq.empty
   where
     -- The other ends of the segments at each corner, two at most, or −1.
-    others = otherEnds (cornerTotal r) segments
+    others = otherEnds (rankedTotal r) segments
     atCorner c = [d | k <- [2 * c, 2 * c + 1], let d = others U.! k, d >= 0]
-    order = U.modify (Intro.sortBy earlier) (U.filter used (U.enumFromN 0 (cornerTotal r)))
+    order = U.modify (Intro.sortBy earlier) (U.filter used (U.enumFromN 0 (rankedTotal r)))
     used c = others U.! (2 * c) >= 0
     earlier a b = compare (column r a) (column r b) <> compare (row r a) (row r b)
     isBefore a b = earlier a b == LT

@@ -70,12 +70,11 @@ outline shapes =
     , outlineFirst = firsts
     , outlineOwner = ownersFrom firsts
     , outlineLattice = lattice
-    , outlineRanked = ranked (placesOn lattice points)
+    , outlineRanked = ranked (placesOver (map (ontoLattice lattice) . rawCorners . snd) shapes)
     }
   where
-    points = concatMap (rawCorners . snd) shapes
-    firsts = U.fromList (scanl (+) 0 (map (length . rawCorners . snd) shapes))
-    lattice = latticeFor points
+    firsts = U.fromList (scanl (+) 0 (map (cornerTotal . snd) shapes))
+    lattice = latticeOver (rawCorners . snd) shapes
 
 -- | By item, the number of the group that it is in, from where each group begins and the last ends.
 --

@@ -9,6 +9,7 @@ module Visibility.Scene.Raw
   , rawPolygon
   , rawWall
   , described
+  , cornerTotal
   , sideTotal
   , Material (..)
   , black
@@ -86,13 +87,17 @@ described :: Maybe Text -> RawPolygon -> Material -> Map.Map Int MaterialOverrid
 described name polygon material sides =
   polygon {packedName = name, packedMaterial = material, packedSides = sides}
 
+-- | How many corners a polygon has. /Cost/ O(1).
+cornerTotal :: RawPolygon -> Int
+cornerTotal = packedLength . packedCorners
+
 -- | How many sides a polygon has.
 sideTotal :: RawPolygon -> Int
 sideTotal polygon = case rawForm polygon of
   Ring -> n
   Polyline -> max 0 (2 * (n - 1))
   where
-    n = packedLength (packedCorners polygon)
+    n = cornerTotal polygon
 
 -- | What a side does with light: emitted power per unit length, and the part of the incident power that it reflects.
 data Material = Material {emission :: !Rational, reflectivity :: !Rational}

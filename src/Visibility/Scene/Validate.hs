@@ -46,7 +46,7 @@ validate raw
       [] -> Right (assemble (rawName raw) (contactTotal o found) shapes o (freeCorners o found))
   where
     shapes = zip (map Obstacle [0 ..]) (rawPolygons raw) <> [(Enclosure, room) | Just room <- [rawEnclosure raw]]
-    o = outline [shape | shape@(_, polygon) <- shapes, length (rawCorners polygon) >= fewestCorners shape]
+    o = outline [shape | shape@(_, polygon) <- shapes, cornerTotal polygon >= fewestCorners shape]
     found = contactsIn o
     ordered = sortOn (\e -> (sceneErrorPlace e, e)) . Set.toList . Set.fromList
 
@@ -57,7 +57,7 @@ sideTotalOf shape@(_, polygon) = sideTotal polygon {rawForm = formOf shape}
 statementErrors :: [Shape] -> [SceneError]
 statementErrors shapes = concat [few shape <> sideNumbers shape <> materials shape | shape <- shapes]
   where
-    few shape@(p, polygon) = [TooFewCorners p n | let n = length (rawCorners polygon), n < fewestCorners shape]
+    few shape@(p, polygon) = [TooFewCorners p n | let n = cornerTotal polygon, n < fewestCorners shape]
     sideNumbers shape@(p, polygon) =
       [ NoSuchSide (SideName p k) n
       | let n = sideTotalOf shape
