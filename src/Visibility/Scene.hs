@@ -38,6 +38,8 @@ module Visibility.Scene
   , cornerName
   , namesHere
   , cornersNamed
+  , cornerRanks
+  , polygonSizes
   , statedPoint
     -- * Sides
   , sides

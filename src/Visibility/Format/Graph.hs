@@ -14,6 +14,8 @@ module Visibility.Format.Graph
   , sortedLines
   ) where
 
+import Control.Monad (foldM, foldM_)
+import Control.Monad.ST (runST)
 import Data.ByteString.Builder (Builder, byteString)
 import Data.ByteString.Internal (ByteString, unsafeCreateUptoN)
 import Data.Char (ord)
@@ -70,7 +72,7 @@ pairKeys scene names selection = case selection of
     named (a, b) = pairOf (rankOf names a) (rankOf names b)
     -- Where no places are shared, each corner has one name.
     direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in pairOf (min a b) (max a b)
-    ranks = U.fromListN (cornerCount scene) [rankOf names (cornerName scene c) | c <- corners scene]
+    ranks = U.map fromIntegral (cornerRanks scene)
 
 -- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins and
 -- the last ends; and by polygon, the enclosure last, the rank of its corner 0.
@@ -82,14 +84,18 @@ data Names = Names
 
 -- | The names of a scene. /Cost/ O(n).
 namesOf :: Scene -> Names
-namesOf scene =
-  Names
-    { nameBytes = primArrayFromList (map (fromIntegral . ord) (concat texts <> replicate slack ' '))
-    , nameStarts = U.fromList (scanl (+) 0 (map length texts))
-    , firstRanks = U.fromList (scanl (+) 0 (map (length . polygonPoints) (scenePolygons scene)))
-    }
+namesOf scene = Names {nameBytes = bytes, nameStarts = starts, firstRanks = firsts}
   where
-    texts = map (cornerText . fst) (statedCorners scene)
+    polygons = polygonSizes scene
+    firsts = U.fromList (scanl (+) 0 (map snd polygons))
+    starts = U.scanl' (+) 0 (U.fromListN (U.last firsts) (concatMap (map length . texts) polygons))
+    texts (polygon, size) = [cornerText (CornerName polygon k) | k <- [0 .. size - 1]]
+    -- Written one by one, so that no text is kept.
+    bytes = runST $ do
+      table <- newPrimArray (U.last starts + slack)
+      setPrimArray table (U.last starts) slack 0
+      foldM_ (foldM (\i c -> (i + 1) <$ writePrimArray table i (fromIntegral (ord c)))) 0 (concatMap texts polygons)
+      unsafeFreezePrimArray table
 
 nameTotal :: Names -> Int
 nameTotal names = U.length (nameStarts names) - 1

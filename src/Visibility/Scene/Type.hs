@@ -28,6 +28,8 @@ module Visibility.Scene.Type
   , cornerName
   , namesHere
   , cornersNamed
+  , cornerRanks
+  , polygonSizes
   , statedPoint
     -- * Sides
   , sides
@@ -257,6 +259,17 @@ cornersNamed scene name = cornersIn <$> statedNumber (sceneStated scene) name
             middle = (low + high) `quot` 2
     places = placeNumbers scene
     n = cornerCount scene
+
+-- | By corner, the place of its name in 'statedCorners'.
+cornerRanks :: Scene -> U.Vector Int32
+cornerRanks = namingCorners
+
+-- | All polygons of the file, the enclosure last, each with the number of its corners.
+polygonSizes :: Scene -> [(PolygonId, Int)]
+polygonSizes scene = zip (V.toList (statedIds stated)) (zipWith (-) (drop 1 firsts) firsts)
+  where
+    stated = sceneStated scene
+    firsts = U.toList (statedFirsts stated)
 
 -- | All corners of the file, polygon by polygon.
 statedCorners :: Scene -> [(CornerName, Point)]
