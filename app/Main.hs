@@ -3,6 +3,7 @@ module Main (main) where
 
 import Command.Draw (runDraw)
 import Command.Generate (runGenerate)
+import Command.Mesh (runMesh)
 import Command.Query (runComplex, runFactors, runGraph, runInfo)
 import Command.Report (runReport)
 import Command.Verify (runVerify)
@@ -21,6 +22,7 @@ main = do
     Factors common options -> runFactors common options
     Complex common -> runComplex common
     View common options -> runView common options
+    Mesh common options -> runMesh common options
     Verify common -> runVerify common
     Draw common options -> runDraw common options
     Generate options -> runGenerate options

@@ -10,6 +10,8 @@ module Options
   , Jobs (..)
   , FactorOptions (..)
   , FactorValues (..)
+  , MeshOptions (..)
+  , Breaks (..)
   , ViewOptions (..)
   , From (..)
   , DrawOptions (..)
@@ -57,6 +59,7 @@ import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
 import Options.Factors
+import Options.Mesh
 import Options.Reader
 import Options.Report
 import Visibility.Exact.Point (Point (..))
@@ -72,6 +75,7 @@ data Command
   | Graph !Common !GraphOptions
   | Factors !Common !FactorOptions
   | Complex !Common
+  | Mesh !Common !MeshOptions
   | Verify !Common
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
@@ -151,6 +155,7 @@ commands =
         <> command "factors" factorsCommand
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
         <> command "view" viewCommand
+        <> command "mesh" (info (right (Mesh <$> common <*> meshOptions)) meshHelp)
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
         <> command "draw" drawCommand
         <> command "report" (info (right (Report <$> reportOptions)) reportHelp)
@@ -211,6 +216,16 @@ commands =
           , ("of a corner", "viscomplex view scenes/room.json --corner 0.1")
           , ("an element that faces upwards", "viscomplex view scenes/room.json --from 1/2,3 --normal 0,1")
           , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
+          ]
+          ""
+    meshHelp =
+      progDesc
+        "Print the discontinuity mesh as JSON: for every side the exact points where the line of two corners lands that \
+        \see each other, each with the corners that cast it, and whether it is the limit of a shadow or a kink."
+        <> examples
+          [ ("all break points", "viscomplex mesh scenes/room.json")
+          , ("where shadows end, at most 8 elements on a side", "viscomplex mesh scenes/room.json --breaks shadow-limits --max-elements 8")
+          , ("ten equal parts", "viscomplex mesh scenes/room.json --breaks uniform:10")
           ]
           ""
     verifyHelp =

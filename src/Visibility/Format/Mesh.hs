@@ -1,0 +1,57 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Meshes as JSON.
+module Visibility.Format.Mesh
+  ( meshDocument
+  , kindText
+  ) where
+
+import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
+import qualified Data.Aeson.Encoding as Aeson
+import Data.ByteString.Builder (Builder, char7)
+import Visibility.Exact.Point (Point (..))
+import Visibility.Exact.Rounding (rationalText)
+import Visibility.Mesh
+import Visibility.Scene
+
+-- | A mesh, and the break points that were dropped from it.
+--
+-- /Shape/ @sides@, an entry for each side of the file, by name: @id@; @points@ by ascending parameter; @dropped@
+-- likewise, if there are any. A point has @at@, @parameter@, @kind@; unless it cuts a side into equal parts, @caster@, the
+-- corner nearer to the point first; and if there are more casters @others@, each with its own @kind@. All numbers are
+-- exact, as strings.
+--
+-- /Requires/ two meshes of one scene.
+meshDocument :: Mesh -> Mesh -> Builder
+meshDocument kept dropped =
+  Aeson.fromEncoding (pairs (pair "format" (string "viscomplex/1") <> pair "sides" (list side (meshSides kept))))
+    <> char7 '\n'
+  where
+    scene = meshScene kept
+    side (name, points) =
+      pairs $
+        pair "id" (string (sideText name))
+          <> pair "points" (list (breakPoint scene) points)
+          <> case breaksOf dropped name of
+            [] -> mempty
+            gone -> pair "dropped" (list (breakPoint scene) gone)
+
+breakPoint :: Scene -> BreakPoint -> Encoding
+breakPoint scene point =
+  pairs $
+    pair "at" (list (string . rationalText) [x, y])
+      <> pair "parameter" (string (rationalText (breakParameter point)))
+      <> pair "kind" (string (maybe "equal-parts" kindText (breakKind point)))
+      <> case breakCasters point of
+        [] -> mempty
+        first : others -> cornersOf first <> mconcat [pair "others" (list other others) | not (null others)]
+  where
+    Point x y = breakAt point
+    cornersOf caster =
+      let (near, far) = casterNames scene caster in pair "caster" (list (string . cornerText) [near, far])
+    other caster = pairs (cornersOf caster <> pair "kind" (string (kindText (casterKind caster))))
+
+-- | @shadow-limit@ or @kink@.
+kindText :: Kind -> String
+kindText ShadowLimit = "shadow-limit"
+kindText Kink = "kink"

@@ -1,0 +1,118 @@
+-- | The discontinuity mesh: where the lines of the vertices of the complex land on sides, exactly.
+--
+-- Along a side, what is seen from a point changes at its break points only. See docs/mesh.md.
+--
+-- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
+module Visibility.Mesh
+  ( -- * Break points
+    BreakPoint (..)
+  , Cause (..)
+  , Kind (..)
+  , Caster (..)
+  , breakKind
+  , breakCasters
+  , casterNames
+    -- * Meshes
+  , Mesh
+  , meshScene
+  , breaksOn
+  , breaksOf
+  , meshSides
+  , breakCount
+    -- * Making them
+  , discontinuityMesh
+  , uniformMesh
+  , emptyMesh
+    -- * Fewer break points
+  , shadowLimits
+  , bounded
+  , ElementCount
+  , elementCount
+  , elementNumber
+  ) where
+
+import Data.Function (on)
+import Data.List (sortBy)
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Ord (Down (..), comparing)
+import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Vector as V
+import Visibility.Exact.Point (Point (..))
+import Visibility.Mesh.Bound
+import Visibility.Mesh.Landing
+import Visibility.Mesh.Span
+import Visibility.Mesh.Type
+import Visibility.Scene
+import Visibility.Sweep.Vertex
+
+-- | The break points of all sides: wherever the maximal free segment of a vertex ends strictly inside a side, on the face
+-- that is seen.
+--
+-- /Degenerate cases/ where a segment ends at a corner there is no break point, nor where it is lost in the sky. Where
+-- several lines land at one point, it is one break point with all their casters.
+--
+-- /Requires/ all vertices of the scene, in an order in which each corner's vertices come by increasing direction.
+-- /Cost/ O(m log m); the sides are cut one by one, when they are asked for.
+--
+-- /Laws/ the same for every order of the vertices; within an element all points see the same objects in the same order,
+-- and on both sides of a break point they see others.
+discontinuityMesh :: Scene -> [Vertex] -> Mesh
+discontinuityMesh scene swept = Mesh scene (V.imap cut (pieceSpans scene))
+  where
+    found = landings scene swept
+    places = V.fromList (map (homogeneous . cornerPoint scene) (corners scene))
+    place (CornerId c) = places V.! c
+    cut i piece = map breakPoint (NonEmpty.groupBy ((==) `on` fst) sorted)
+      where
+        s = SideId i
+        along = alongSide piece (place (sideStart s)) (place (sideEnd scene s))
+        sorted = sortBy order [(along (place p) (place q), caster) | caster@(Caster _ p q) <- landingsOn found s]
+        -- From the start of the piece on.
+        order = if spanStart piece < spanEnd piece then comparing fst else comparing (Down . fst)
+        breakPoint ((t, caster) :| others) = BreakPoint t (pointOn piece t) (Cast (ordered (caster :| map snd others)))
+    ordered casters@(_ :| []) = casters
+    ordered casters = NonEmpty.sortWith (\caster -> (casterKind caster, casterNames scene caster)) casters
+
+-- | A point (x/w, y/w) of the plane, w > 0: so mesh points keep denominators of their own.
+data Homogeneous = Homogeneous !Integer !Integer !Integer
+
+homogeneous :: Point -> Homogeneous
+homogeneous (Point x y) = Homogeneous (whole x) (whole y) w
+  where
+    w = denominator x `lcm` denominator y
+    whole q = numerator q * (w `div` denominator q)
+
+-- | The parameter of the point of a piece that lies on the line through two points, the ends of the piece being given.
+--
+-- /Requires/ that the line does meet the piece, in one point.
+alongSide :: Span -> Homogeneous -> Homogeneous -> Homogeneous -> Homogeneous -> Rational
+alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw) = case (spanStart piece, spanEnd piece) of
+  (0, 1) -> a % (a + b)
+  (1, 0) -> b % (a + b)
+  (start, end) -> start + (a % (a + b)) * (end - start)
+  where
+    -- The line through the two points; what its equation says of the ends of the piece has different signs.
+    (lx, ly, lw) = (py * qw - pw * qy, pw * qx - px * qw, px * qy - py * qx)
+    a = abs (above from * weight to)
+    b = abs (above to * weight from)
+    above (Homogeneous x y w) = lx * x + ly * y + lw * w
+    weight (Homogeneous _ _ w) = w
+
+-- | Each side of the file cut into so many equal parts, whatever covers it: points that are covered, or at an end of what
+-- is not, are no break points.
+--
+-- /Cost/ O(1) per break point.
+uniformMesh :: ElementCount -> Scene -> Mesh
+uniformMesh parts scene = Mesh scene (V.map cut (pieceSpans scene))
+  where
+    n = toInteger (elementNumber parts)
+    cut piece = [BreakPoint t (pointOn piece t) EqualParts | k <- fromStart, let t = k % n]
+      where
+        (start, end) = (spanStart piece, spanEnd piece)
+        inside = [floor (min start end * fromInteger n) + 1 .. ceiling (max start end * fromInteger n) - 1]
+        fromStart = if start < end then inside else reverse inside
+
+-- | Without the kinks.
+shadowLimits :: Mesh -> Mesh
+shadowLimits = selected ((== Just ShadowLimit) . breakKind)

@@ -1,0 +1,125 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Where the lines of vertices land, as a stream of vertices tells it: by side, before any coordinate is computed.
+--
+-- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
+module Visibility.Mesh.Landing
+  ( Landings
+  , landings
+  , landingsOn
+  ) where
+
+import Control.Monad (foldM)
+import Control.Monad.ST (ST, runST)
+import Data.Int (Int32)
+import Data.List (minimumBy)
+import Data.Ord (comparing)
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Mesh.Type
+import Visibility.Scene
+import Visibility.Sorting
+import Visibility.Sweep.Piece
+import Visibility.Sweep.Sights
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (skyCode, solid)
+import Visibility.View (freeBitangents)
+
+-- | All landings, those of side k from entry k on, below entry k + 1: the near corner, the far one, and whether they are a
+-- free bitangent.
+data Landings = Landings !(U.Vector Int) !(U.Vector (Int32, Int32, Bool))
+
+-- | A landing as it is found, with its side first.
+type Found = (Int32, Int32, Int32, Bool)
+
+-- Note [Landings]
+-- ~~~~~~~~~~~~~~~
+-- The maximal free segment of a vertex ends where the first corner sees backward and where the last one sees forward.
+-- A vertex has all corners on its segment, so where there is an object to be seen, the segment ends strictly inside a
+-- piece of a side, or in the sky. Where there is none, it ends at the corner and casts nothing.
+--
+-- A segment goes on past each of its corners but perhaps the first and the last. So of its elementary pairs those are
+-- no free bitangents that are sides, and at the ends those with a corner at which it ends. Of a vertex of two corners
+-- this is known from what they see; others are asked.
+--
+-- Only one ray leads from a landing to the nearest place with corners, in one cone of free space; so on each line only
+-- one vertex lands at a point.
+
+-- | The landings of a stream of vertices, which must be that of the whole half turn.
+--
+-- /Degenerate cases/ of the elementary pairs of a degenerate vertex, the free bitangent nearest to the landing is the
+-- caster; if none is free, the nearest pair. Where several pairs join the same places, as along both faces of a wall,
+-- it is the one with the smaller names.
+--
+-- /Cost/ O(1) per elementary pair, O(m + n) in all; 13 bytes per landing.
+landings :: Scene -> [Vertex] -> Landings
+landings scene swept = runST $ do
+  sights <- traverse U.thaw (startSights scene)
+  found <- foldM (\done piece -> (: done) <$> piecewise scene sights piece) [] (inPieces swept)
+  let sorted = sortedBy n (\(s, _, _, _) -> fromIntegral s) (U.concat (reverse found))
+      counts = U.accumulate (+) (U.replicate n 0) (U.map (\(s, _, _, _) -> (fromIntegral s, 1)) sorted)
+  pure (Landings (U.scanl' (+) 0 counts) (U.map (\(_, p, q, free) -> (p, q, free)) sorted))
+  where
+    n = cornerCount scene
+
+-- | The casters that land on a side, in the order of the stream.
+landingsOn :: Landings -> SideId -> [Caster]
+landingsOn (Landings starts items) (SideId s) =
+  [ Caster (if free then ShadowLimit else Kink) (corner p) (corner q)
+  | (p, q, free) <- U.toList (U.slice from (to - from) items)
+  ]
+  where
+    from = starts U.! s
+    to = starts U.! (s + 1)
+    corner = CornerId . fromIntegral
+
+-- | The landings of one piece of the stream. See Note [Landings].
+piecewise :: Scene -> Changing s -> Piece -> ST s (U.Vector Found)
+piecewise scene sights piece = do
+  items <- M.new (2 * pieceLength piece)
+  let
+    go !used found = case found of
+      [] -> pure used
+      Vertex (CornerId p) (CornerId q) [] : rest | not (hasSplitEnds scene) -> do
+        back <- M.unsafeRead (backOf sights) p
+        front <- M.unsafeRead (frontOf sights) q
+        turnPair scene sights p q
+        let free = isSeen back && isSeen front && not (isSide p q)
+        put used back p q free >>= \u -> put u front q p free >>= \u' -> go u' rest
+      vertex : rest -> do
+        let line = vertexCorners vertex
+            cast = casting scene vertex
+        back <- firstSeen (backOf sights) line
+        front <- firstSeen (frontOf sights) (reverse line)
+        turnThrough scene sights vertex
+        let (Caster kind (CornerId p) (CornerId q), Caster kind' (CornerId p') (CornerId q')) = cast
+        put used back p q (kind == ShadowLimit) >>= \u -> put u front p' q' (kind' == ShadowLimit) >>= \u' -> go u' rest
+    put !used !object !near !far !free
+      | object == fromIntegral solid || object == sky = pure used
+      | otherwise = do
+          M.unsafeWrite items used (object, fromIntegral near, fromIntegral far, free)
+          pure (used + 1 :: Int)
+  used <- go 0 (pieceVertices piece)
+  U.freeze (M.take used items)
+  where
+    sky = fromIntegral (skyCode scene) :: Int32
+    isSeen object = object /= fromIntegral solid
+    isSide p q = nextCorner scene (CornerId p) == CornerId q || previousCorner scene (CornerId p) == CornerId q
+    -- Where a line runs along both faces of a wall, it goes on along one of them at most.
+    firstSeen table line = do
+      seen <- mapM (\(CornerId c) -> M.read table c) (here line)
+      pure (foldr (\object rest -> if object == fromIntegral solid then rest else object) (fromIntegral solid) seen)
+    here line = case line of
+      [] -> []
+      first : _ -> takeWhile (samePlace scene first) line
+
+-- | What a vertex casts backward and forward, if it lands there.
+casting :: Scene -> Vertex -> (Caster, Caster)
+casting scene vertex = (nearest pairs, nearest (reverse [(q, p) | (p, q) <- pairs]))
+  where
+    (kind, pairs) = case freeBitangents scene vertex of
+      [] -> (Kink, vertexPairs scene vertex)
+      free -> (ShadowLimit, free)
+    nearest found = case found of
+      [] -> Caster Kink (vertexFirst vertex) (vertexLast vertex)
+      (p, _) : _ -> minimumBy (comparing (casterNames scene)) [Caster kind p' q | (p', q) <- found, samePlace scene p p']
