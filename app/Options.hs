@@ -220,11 +220,12 @@ commands =
           ""
     meshHelp =
       progDesc
-        "Print the discontinuity mesh as JSON: for every side the exact points where the line of two corners lands that \
-        \see each other, each with the corners that cast it, and whether it is the limit of a shadow or a kink."
+        "Print the discontinuity mesh as JSON: for every side the exact points where the line of two corners that see \
+        \each other lands, each with the corners that cast it, and whether it is the limit of a shadow or a kink."
         <> examples
           [ ("all break points", "viscomplex mesh scenes/room.json")
-          , ("where shadows end, at most 8 elements on a side", "viscomplex mesh scenes/room.json --breaks shadow-limits --max-elements 8")
+          , ("where shadows end", "viscomplex mesh scenes/room.json --breaks shadow-limits")
+          , ("at most 8 elements on a side", "viscomplex mesh scenes/room.json --max-elements 8")
           , ("ten equal parts", "viscomplex mesh scenes/room.json --breaks uniform:10")
           ]
           ""

@@ -61,6 +61,26 @@ cells line = case break (== ',') line of
   (cell, _ : rest) -> cell : cells rest
   (cell, []) -> [cell]
 
+-- | A side of a mesh: its id, and the parameters and kinds of its break points, and of those that were dropped.
+data MeshSide = MeshSide
+  { meshSide :: String
+  , keptPoints :: [(String, String)]
+  , droppedPoints :: [(String, String)]
+  }
+
+meshOf :: [String] -> IO [MeshSide]
+meshOf arguments = do
+  text <- output ("mesh" : arguments) ""
+  pure (fromMaybe [] (Aeson.decode (Lazy.pack text) >>= Aeson.parseMaybe document))
+  where
+    document = Aeson.withObject "document" (\o -> o Aeson..: "sides" >>= mapM side)
+    side = Aeson.withObject "side" $ \o ->
+      MeshSide
+        <$> o Aeson..: "id"
+        <*> (o Aeson..: "points" >>= mapM point)
+        <*> (o Aeson..:? "dropped" Aeson..!= [] >>= mapM point)
+    point = Aeson.withObject "point" (\o -> (,) <$> o Aeson..: "parameter" <*> o Aeson..: "kind")
+
 spec :: Spec
 spec = do
   describe "every scene in scenes/" $ do
@@ -192,6 +212,31 @@ spec = do
         topological <- output (command <> ["scenes/grid.json"]) ""
         straight <- output (command <> ["scenes/grid.json", "--scheduler", "straight"]) ""
         (command, straight == topological) `shouldBe` (command, True)
+
+  describe "mesh" $ do
+    it "lists the break points of every side, and drops kinds of them or some where it is told to" $ do
+      everything <- meshOf ["scenes/room.json"]
+      limits <- meshOf ["scenes/room.json", "--breaks", "shadow-limits"]
+      few <- meshOf ["scenes/room.json", "--max-elements", "3"]
+      map meshSide limits `shouldBe` map meshSide everything
+      sum (map (length . keptPoints) limits) `shouldSatisfy` (> 0)
+      for_ (zip everything limits) $ \(whole, part) ->
+        keptPoints part `shouldBe` [point | point@(_, "shadow-limit") <- keptPoints whole]
+      for_ (zip everything few) $ \(whole, part) -> do
+        length (keptPoints part) `shouldSatisfy` (<= 2)
+        sort (keptPoints part <> droppedPoints part) `shouldBe` sort (keptPoints whole)
+      sum (map (length . droppedPoints) few) `shouldSatisfy` (> 0)
+    it "cuts all sides into equal parts" $ do
+      found <- meshOf ["scenes/room.json", "--breaks", "uniform:4"]
+      length found `shouldSatisfy` (> 0)
+      map keptPoints found `shouldBe` map (const [(t, "equal-parts") | t <- ["1/4", "1/2", "3/4"]]) found
+    it "does not depend on the scheduler" $ do
+      topological <- output ["mesh", "scenes/flat.json"] ""
+      output ["mesh", "scenes/flat.json", "--scheduler", "straight"] "" `shouldReturn` topological
+    it "refuses a mesh that it does not know" $ do
+      refuses 1 ["some is none of: all, shadow-limits, uniform:N"] ["mesh", "scenes/room.json", "--breaks", "some"] ""
+      refuses 1 ["uniform"] ["mesh", "scenes/room.json", "--breaks", "uniform:0"] ""
+      refuses 1 ["max-elements"] ["mesh", "scenes/room.json", "--max-elements", "0"] ""
 
   describe "verify" $ do
     it "finds every law to hold" $

@@ -46,8 +46,8 @@ import Visibility.Mesh.Type
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 
--- | The break points of all sides: wherever the maximal free segment of a vertex ends strictly inside a side, on the face
--- that is seen.
+-- | The break points of all sides: wherever the maximal free segment of a vertex ends strictly inside a side, on the
+-- face that is seen.
 --
 -- /Degenerate cases/ where a segment ends at a corner there is no break point, nor where it is lost in the sky. Where
 -- several lines land at one point, it is one break point with all their casters.
@@ -99,8 +99,8 @@ alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw) = case (sp
     above (Homogeneous x y w) = lx * x + ly * y + lw * w
     weight (Homogeneous _ _ w) = w
 
--- | Each side of the file cut into so many equal parts, whatever covers it: points that are covered, or at an end of what
--- is not, are no break points.
+-- | Each side of the file cut into so many equal parts, whatever covers it: points that are covered, or at an end of
+-- what is not, are no break points.
 --
 -- /Cost/ O(1) per break point.
 uniformMesh :: ElementCount -> Scene -> Mesh

@@ -25,8 +25,8 @@ import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (skyCode, solid)
 import Visibility.View (freeBitangents)
 
--- | All landings, those of side k from entry k on, below entry k + 1: the near corner, the far one, and whether they are a
--- free bitangent.
+-- | All landings, those of side k from entry k on, below entry k + 1: the near corner, the far one, and whether they
+-- are a free bitangent.
 data Landings = Landings !(U.Vector Int) !(U.Vector (Int32, Int32, Bool))
 
 -- | A landing as it is found, with its side first.
@@ -122,4 +122,5 @@ casting scene vertex = (nearest pairs, nearest (reverse [(q, p) | (p, q) <- pair
       free -> (ShadowLimit, free)
     nearest found = case found of
       [] -> Caster Kink (vertexFirst vertex) (vertexLast vertex)
-      (p, _) : _ -> minimumBy (comparing (casterNames scene)) [Caster kind p' q | (p', q) <- found, samePlace scene p p']
+      (p, _) : _ ->
+        minimumBy (comparing (casterNames scene)) [Caster kind p' q | (p', q) <- found, samePlace scene p p']

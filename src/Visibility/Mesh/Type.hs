@@ -92,7 +92,7 @@ data Mesh = Mesh
 emptyMesh :: Scene -> Mesh
 emptyMesh scene = Mesh scene (V.replicate (length (sides scene)) [])
 
--- | The break points of a side, or of a piece of one, from its 'sideStart' to its 'sideEnd', none of which is among them.
+-- | The break points of a side, or of a piece of one, from its 'sideStart' to its 'sideEnd', which are not among them.
 --
 -- /Laws/ parameters are strictly monotone, and strictly between those of the ends.
 breaksOn :: Mesh -> SideId -> [BreakPoint]
