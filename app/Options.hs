@@ -12,6 +12,7 @@ module Options
   , FactorValues (..)
   , MeshOptions (..)
   , Breaks (..)
+  , MeshFigureOptions (..)
   , ViewOptions (..)
   , From (..)
   , DrawOptions (..)
@@ -22,6 +23,7 @@ module Options
 
 import Control.Applicative (optional, (<**>))
 import Data.List (intercalate)
+import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Options.Applicative
   ( InfoMod
@@ -87,7 +89,7 @@ data DrawOptions = DrawOptions
   , figureFile :: !(Maybe FilePath)
   }
 
-data Figure = SceneFigure | DualFigure | ViewFigure !From
+data Figure = SceneFigure | DualFigure | ViewFigure !From | MeshFigure !MeshFigureOptions
 
 -- | Whose view is asked for.
 data From
@@ -240,6 +242,7 @@ commands =
           [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
           , ("its dual: lines as points", "viscomplex draw dual scenes/room.json -o room-dual.svg")
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
+          , ("where shadows end, with the lines", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
           ]
           ""
     reportHelp =
@@ -297,20 +300,25 @@ viewOptions = complete <$> place <*> digitsOption <*> detailOption
 
 -- | The figure, or why there is none of this kind.
 figureKind :: Parser (Either String Figure)
-figureKind = (\name from -> from >>= combined name) <$> figureName <*> place
+figureKind = (\name from mesh -> from >>= combined name mesh) <$> figureName <*> place <*> meshFigureOptions
   where
     figureName =
       argument
-        (oneOf [("scene", Just SceneFigure), ("dual", Just DualFigure), ("view", Nothing)])
+        (oneOf [("scene", PlainFigure SceneFigure), ("dual", PlainFigure DualFigure), ("view", OfView), ("mesh", OfMesh)])
         ( metavar "FIGURE"
             <> help
               "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \
-              \view: what is seen --from a point, a --corner or a --side."
+              \view: what is seen --from a point, a --corner or a --side. mesh: the break points of all sides."
         )
-    combined (Just plain) Nothing = Right plain
-    combined (Just _) (Just _) = Left "--from, --corner and --side are for the figure view"
-    combined Nothing (Just from) = Right (ViewFigure from)
-    combined Nothing Nothing = Left "draw view needs --from X,Y, --corner P.K or --side P.S"
+    combined OfMesh mesh Nothing = Right (MeshFigure (fromMaybe plainMeshFigure mesh))
+    combined _ (Just _) _ = Left "--breaks, --max-elements and --lines are for the figure mesh"
+    combined (PlainFigure plain) Nothing Nothing = Right plain
+    combined OfView Nothing (Just from) = Right (ViewFigure from)
+    combined OfView Nothing Nothing = Left "draw view needs --from X,Y, --corner P.K or --side P.S"
+    combined _ _ (Just _) = Left "--from, --corner and --side are for the figure view"
+
+-- | The word for a figure.
+data FigureName = PlainFigure !Figure | OfView | OfMesh
 
 figureOption :: Parser (Maybe FilePath)
 figureOption =

@@ -49,6 +49,11 @@ module Visibility
   , formFactors
   , NearestRow (..)
   , nearestFactors
+    -- * The discontinuity mesh (all of it: "Visibility.Mesh")
+  , Mesh
+  , BreakPoint (..)
+  , discontinuityMesh
+  , meshSides
     -- * Numbers
   , RootSum
   , decimal
@@ -58,6 +63,8 @@ module Visibility
   , dualDrawing
   , viewDrawing
   , ViewFigure (..)
+  , meshDrawing
+  , CastingLines (..)
   , renderSvg
   ) where
 
@@ -65,6 +72,7 @@ import Visibility.Complex (Complex, complexOf)
 import Visibility.Complex.Law (violations)
 import Visibility.Complex.Walk (Look (..), locator, lookAround)
 import Visibility.Draw.Dual (dualDrawing)
+import Visibility.Draw.Mesh (CastingLines (..), meshDrawing)
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.Scene (sceneDrawing)
 import Visibility.Draw.View (ViewFigure (..), viewDrawing)
@@ -74,6 +82,7 @@ import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor (FormFactor (..), Measures, NearestRow (..), formFactors, measures, nearestFactors)
 import Visibility.Format.File (readSceneFile)
+import Visibility.Mesh (BreakPoint (..), Mesh, discontinuityMesh, meshSides)
 import Visibility.Scene (CornerId (..), Object (..), Scene, SideId (..))
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
 import Visibility.Scene.Validate (validate)

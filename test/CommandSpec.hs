@@ -290,7 +290,7 @@ spec = do
         svg `shouldSatisfy` isInfixOf "<svg"
     it "writes a figure to the file named, and nothing else" $
       withSystemTempDirectory "viscomplex" $ \folder ->
-        for_ ["scene", "dual"] $ \figure -> do
+        for_ ["scene", "dual", "mesh"] $ \figure -> do
           let file = folder </> figure <> ".svg"
           out <- output ["draw", figure, "scenes/room.json", "-o", file] ""
           out `shouldBe` ""
@@ -298,6 +298,19 @@ spec = do
           svg `shouldSatisfy` isInfixOf "<svg"
           piped <- output ["draw", figure, "scenes/room.json"] ""
           piped `shouldBe` svg
+    it "draws meshes, with their lines if asked to, and their options with nothing else" $ do
+      let call options = output (["draw", "mesh", "scenes/room.json"] <> options) ""
+      plain <- call []
+      call ["--breaks", "all"] `shouldReturn` plain
+      plain `shouldSatisfy` isInfixOf "class=\"breaks\""
+      plain `shouldSatisfy` not . isInfixOf "class=\"lines\""
+      withLines <- call ["--lines"]
+      withLines `shouldSatisfy` isInfixOf "class=\"lines\""
+      few <- call ["--max-elements", "2"]
+      length few `shouldSatisfy` (< length plain)
+      for_ [["--lines"], ["--breaks", "all"], ["--max-elements", "2"]] $ \options ->
+        refuses 1 ["for the figure mesh"] (["draw", "scene", "scenes/room.json"] <> options) ""
+      refuses 1 ["for the figure view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
     it "draws the figures of the README" $
       for_ [("scene", "room"), ("dual", "room-dual"), ("view --corner 0.1", "room-view")] $ \(figure, name) -> do
         svg <- output (["draw"] <> take 1 (words figure) <> ["scenes/room.json"] <> drop 1 (words figure)) ""
@@ -366,7 +379,7 @@ spec = do
       [drop 9 line | line <- lines package, "version: " `isPrefixOf` line] `shouldBe` [drop 11 (concat (lines version))]
   describe "help" $
     it "teaches by example, for every command" $
-      for_ ([] : map pure (words "info graph factors complex view verify draw generate")) $ \command -> do
+      for_ ([] : map pure (words "info graph factors complex mesh view verify draw generate")) $ \command -> do
         text <- output (command <> ["--help"]) ""
         text `shouldSatisfy` isInfixOf "viscomplex"
         text `shouldSatisfy` isInfixOf "Examples:"

@@ -3,11 +3,17 @@ module Options.Mesh
   ( MeshOptions (..)
   , Breaks (..)
   , meshOptions
+    -- * Of a figure
+  , MeshFigureOptions (..)
+  , meshFigureOptions
+  , plainMeshFigure
   ) where
 
 import Data.List (stripPrefix)
+import Data.Maybe (fromMaybe)
 import Options.Applicative
 import Options.Reader
+import Visibility.Draw.Mesh (CastingLines (..))
 import Visibility.Mesh (ElementCount, elementCount)
 
 data MeshOptions = MeshOptions
@@ -23,26 +29,45 @@ data Breaks
     Uniform !ElementCount
 
 meshOptions :: Parser MeshOptions
-meshOptions = MeshOptions <$> breaks <*> optional most
+meshOptions = MeshOptions . fromMaybe AllBreaks <$> optional breaksGiven <*> optional mostGiven
+
+-- | A mesh as a figure shows it.
+data MeshFigureOptions = MeshFigureOptions
+  { figureMesh :: !MeshOptions
+  , castingLines :: !CastingLines
+  }
+
+-- | What is said of the mesh of a figure; 'Nothing' if nothing is.
+meshFigureOptions :: Parser (Maybe MeshFigureOptions)
+meshFigureOptions = combined <$> optional breaksGiven <*> optional mostGiven <*> lines'
   where
-    breaks =
-      option
-        (eitherReader breaksNamed)
-        ( long "breaks"
-            <> metavar "all|shadow-limits|uniform:N"
-            <> value AllBreaks
-            <> showDefaultWith (const "all")
-            <> help "Where sides are cut: where lines land, where shadows end, or into N equal parts."
-        )
-    most =
-      option
-        (eitherReader (count "max-elements"))
-        ( long "max-elements"
-            <> metavar "N"
-            <> help
-              "At most N elements on each side: drops break points, kinks first, then those whose elements are short, \
-              \and lists what it dropped."
-        )
+    lines' = flag WithoutLines WithLines (long "lines" <> help "Of a mesh: draw the lines that cast the break points too.")
+    combined Nothing Nothing WithoutLines = Nothing
+    combined breaks most wanted = Just (MeshFigureOptions (MeshOptions (fromMaybe AllBreaks breaks) most) wanted)
+
+-- | The whole mesh, without lines.
+plainMeshFigure :: MeshFigureOptions
+plainMeshFigure = MeshFigureOptions (MeshOptions AllBreaks Nothing) WithoutLines
+
+breaksGiven :: Parser Breaks
+breaksGiven =
+  option
+    (eitherReader breaksNamed)
+    ( long "breaks"
+        <> metavar "all|shadow-limits|uniform:N"
+        <> help "Where sides are cut: where lines land, where shadows end, or into N equal parts. (default: all)"
+    )
+
+mostGiven :: Parser ElementCount
+mostGiven =
+  option
+    (eitherReader (count "max-elements"))
+    ( long "max-elements"
+        <> metavar "N"
+        <> help
+          "At most N elements on each side: drops break points, kinks first, then those whose elements are short. The \
+          \JSON lists what was dropped."
+    )
 
 breaksNamed :: String -> Either String Breaks
 breaksNamed word = case (word, stripPrefix "uniform:" word) of

@@ -39,6 +39,7 @@ import Data.Ord (Down (..), comparing)
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import Visibility.Exact.Point (Point (..))
+import Visibility.Law (broken)
 import Visibility.Mesh.Bound
 import Visibility.Mesh.Landing
 import Visibility.Mesh.Span
@@ -85,17 +86,19 @@ homogeneous (Point x y) = Homogeneous (whole x) (whole y) w
 
 -- | The parameter of the point of a piece that lies on the line through two points, the ends of the piece being given.
 --
--- /Requires/ that the line does meet the piece, in one point.
+-- /Requires/ that the line meets the piece strictly between its ends.
 alongSide :: Span -> Homogeneous -> Homogeneous -> Homogeneous -> Homogeneous -> Rational
-alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw) = case (spanStart piece, spanEnd piece) of
-  (0, 1) -> a % (a + b)
-  (1, 0) -> b % (a + b)
-  (start, end) -> start + (a % (a + b)) * (end - start)
+alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw)
+  | signum a /= signum b || a == 0 = broken "a line lands strictly inside a side" (show (a, b))
+  | otherwise = case (spanStart piece, spanEnd piece) of
+      (0, 1) -> a % (a + b)
+      (1, 0) -> b % (a + b)
+      (start, end) -> start + (a % (a + b)) * (end - start)
   where
     -- The line through the two points; what its equation says of the ends of the piece has different signs.
     (lx, ly, lw) = (py * qw - pw * qy, pw * qx - px * qw, px * qy - py * qx)
-    a = abs (above from * weight to)
-    b = abs (above to * weight from)
+    a = above from * weight to
+    b = negate (above to * weight from)
     above (Homogeneous x y w) = lx * x + ly * y + lw * w
     weight (Homogeneous _ _ w) = w
 

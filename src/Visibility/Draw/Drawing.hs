@@ -123,6 +123,16 @@ data Style
     SeenRegion
   | -- | A line of sight past a corner, where the seen region ends.
     SightLimit
+  | -- | Where a shadow ends on a side.
+    ShadowLimitTick
+  | -- | Where what a side sees changes otherwise.
+    KinkTick
+  | -- | Where a side is cut into equal parts.
+    EqualPartsTick
+  | -- | The line that casts a shadow limit.
+    ShadowLine
+  | -- | The line that casts a kink.
+    KinkLine
   | -- | A side, or a piece of one, that is seen.
     SeenSide
   | -- | The side that sees.
@@ -262,6 +272,11 @@ strokeWidth density style = case style of
   EndingCurve -> by 1.1 0.45 0.15 0.05
   BuriedCurve -> by 1 0.4 0.15 0.05
   SightLimit -> by 0.9 0.7 0.4 0.2
+  ShadowLimitTick -> by 1.8 1.2 0.6 0.3
+  KinkTick -> by 1.2 0.8 0.4 0.2
+  EqualPartsTick -> by 1.2 0.8 0.4 0.2
+  ShadowLine -> by 0.7 0.35 0.2 0.2
+  KinkLine -> by 0.6 0.3 0.2 0.2
   SeenSide -> by 3.4 2.8 1.8 1.2
   SeeingSide -> by 5.4 4.6 3.4 2.4
   Arrow -> 2

@@ -127,7 +127,7 @@ painted density style =
   where
     Look fill stroke dashes = look density style
     -- Lines cannot get thinner without end: viewers drop what covers too little of a pixel.
-    ink = if style == Bitangent then byDensity density 1 1 0.6 0.12 else 1 :: Double
+    ink = if style `elem` [Bitangent, ShadowLine, KinkLine] then byDensity density 1 1 0.6 0.12 else 1 :: Double
 
 -- | How a style looks in a layer of some density.
 look :: Density -> Style -> Look
@@ -146,6 +146,11 @@ look density style = case style of
   BuriedCurve -> Look Nothing (Just "#8c8c8c") (by [1.2, 2.6] [1, 2] [0.8, 1.6])
   SeenRegion -> Look (Just "#cde3f6") Nothing []
   SightLimit -> line "#3a78b5"
+  ShadowLimitTick -> line accent
+  KinkTick -> line "#1f62a8"
+  EqualPartsTick -> line dark
+  ShadowLine -> line (by "#c9556a" "#c9556a" "#b3122a")
+  KinkLine -> Look Nothing (Just (by "#6f9fcc" "#6f9fcc" "#3a78b5")) (by [5, 3] [4, 2.5] [3, 2])
   SeenSide -> line "#1f62a8"
   SeeingSide -> line accent
   Arrow -> line accent

@@ -1,0 +1,155 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The figure of a mesh: the sides with their break points, and on demand the lines that cast them.
+module Visibility.Draw.Mesh
+  ( CastingLines (..)
+  , meshDrawing
+  ) where
+
+import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Vector as V
+import Visibility.Draw.Drawing
+import Visibility.Draw.Labels
+import Visibility.Draw.Legend
+import Visibility.Draw.Scale
+import Visibility.Draw.Scenery
+import Visibility.Exact.Rounding (rationalText)
+import Visibility.Mesh
+import Visibility.Mesh.Span
+import Visibility.Scene
+
+-- | Whether the lines are drawn.
+data CastingLines = WithLines | WithoutLines
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The scene drawn to scale, 800 pixels wide, with a mesh.
+--
+-- Layers, from the bottom: @outside@ and @room@ of an enclosure; @lines@, for each caster the part of its line from the
+-- break point to the farther corner, named by its corners, @2.1 3.0@; @polygons@, named as in output; @breaks@, a short
+-- line into free space at each break point, longer and darker at shadow limits, named by side and parameter, @0.0 1/6@;
+-- @flat-corners@, dots; @leaders@, @labels@; @legend@. Labels are those of the figure of the scene.
+--
+-- /Degenerate cases/ break points of a thin wall are drawn on the face that they are on.
+--
+-- /Cost/ that of the marks, besides labels.
+--
+-- /Laws/ every break point has exactly one mark, every caster one line; no label covers a line, an outline or another
+-- label.
+meshDrawing :: CastingLines -> Mesh -> Drawing
+meshDrawing wanted mesh =
+  Drawing
+    { drawingTitle = title
+    , drawingDescription = "Polygons of the scene and the break points of their sides: " <> Text.intercalate ", " facts <> "."
+    , drawingWidth = canvasWidth
+    , drawingHeight = top + 40
+    , drawingLayers =
+        filter (not . null . layerMarks) $
+          groundLayers scene frame
+            <> [ Layer "lines" (densityOf (length castingLines)) castingLines
+               , Layer "polygons" (polygonDensity scene) polygons
+               , Layer "breaks" (densityOf (length breaks)) breaks
+               , Layer "flat-corners" Sparse flatCorners
+               , Layer "leaders" Sparse leaders
+               , Layer "labels" Sparse labels
+               , Layer "legend" Sparse (titleMark (top + 40) title : legendMarks <> scaleBar <> captions)
+               ]
+    }
+  where
+    scene = meshScene mesh
+    title = "Break points: " <> fromMaybe "untitled scene" (sceneTitle scene)
+    frame = frameFor foot scene []
+    top = frameHeight frame + foot
+    points = [(side, point) | side <- sides scene, point <- breaksOn mesh side]
+    polygons = polygonMarks scene frame
+    spans = pieceSpans scene
+    breaks = [breakMark scene frame piece side p | (side, p) <- points, piece <- spanOf side]
+    castingLines = case wanted of
+      WithoutLines -> []
+      WithLines -> concatMap (lineMarks scene frame . snd) points
+    spanOf (SideId s) = maybe [] pure (spans V.!? s)
+    flatCorners = flatCornerMarks scene frame
+
+    underneath = concatMap wideLines castingLines
+    scenery =
+      Obstruction
+        { canvas = frameOutside frame
+        , lightLines = underneath
+        , walls = concatMap wideLines (polygons <> breaks)
+        , taken = dotBoxes flatCorners
+        , clearance = 1.5
+        }
+    (labels, leaders, unlabelled)
+      | fewCorners scene = placeLabels scenery (cornerRequests scene frame)
+      | otherwise = (mapMaybe inside (scenePolygons scene), [], [])
+    inside = polygonLabel (placeOfPoint scene frame) underneath
+
+    kinds = map (breakKind . snd) points
+    facts = stated <> countedUnlabelled unlabelled
+    stated =
+      counted (length points) "break point" "break points"
+        : [ counted k one many
+          | (kind, one, many) <-
+              [(Just ShadowLimit, "shadow limit", "shadow limits"), (Just Kink, "kink", "kinks")]
+          , let k = length (filter (== kind) kinds)
+          , k > 0
+          ]
+    entries =
+      fst (sceneryEntries scene)
+        <> [ Entry (lineSwatch [tickStyle kind]) (kindName kind)
+           | kind <- [Just ShadowLimit, Just Kink, Nothing]
+           , kind `elem` kinds
+           ]
+        <> [ Entry (lineSwatch [lineStyle kind]) ("line of a " <> kindName (Just kind))
+           | wanted == WithLines
+           , kind <- [ShadowLimit, Kink]
+           , kind `elem` map casterKind (concatMap (breakCasters . snd) points)
+           ]
+
+    -- How much room the foot takes must be known before there are labels.
+    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (stated <> doubtful)) + 9)
+    doubtful = if fewCorners scene then countedUnlabelled (corners scene) else []
+    captionRows = length . captionLines 0 0 captionWidth
+    legendRows = legendHeight legendWidth entries
+    (legendTop, legendWidth) = (foot - 6, captionWidth - 150)
+    legendMarks = legend sideMargin legendTop legendWidth entries
+    captions = captionLines sideMargin (legendTop - legendRows - 15) captionWidth facts
+    captionWidth = canvasWidth - 2 * sideMargin
+    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
+
+-- | A short line from a break point into free space.
+breakMark :: Scene -> Frame -> Span -> SideId -> BreakPoint -> Mark
+breakMark scene frame piece side point =
+  Mark name (tickStyle kind) (Polyline [at 0, at (if kind == Just ShadowLimit then 9 else 5.5)])
+  where
+    kind = breakKind point
+    name = Text.pack (sideText (sideName scene side) <> " " <> rationalText (breakParameter point))
+    at = besideSide scene (placeOf scene frame) side along
+    along = fromRational ((breakParameter point - spanStart piece) / (spanEnd piece - spanStart piece))
+
+-- | The lines of all casters of a break point, shadow limits above.
+lineMarks :: Scene -> Frame -> BreakPoint -> [Mark]
+lineMarks scene frame point =
+  [ Mark (nameOf near <> " " <> nameOf far) (lineStyle kind) (Polyline [placeOfPoint scene frame (breakAt point), place far])
+  | Caster kind near far <- reverse (breakCasters point)
+  ]
+  where
+    place = placeOf scene frame
+    nameOf = Text.pack . cornerText . cornerName scene
+
+tickStyle :: Maybe Kind -> Style
+tickStyle kind = case kind of
+  Just ShadowLimit -> ShadowLimitTick
+  Just Kink -> KinkTick
+  Nothing -> EqualPartsTick
+
+lineStyle :: Kind -> Style
+lineStyle ShadowLimit = ShadowLine
+lineStyle Kink = KinkLine
+
+kindName :: Maybe Kind -> Text
+kindName kind = case kind of
+  Just ShadowLimit -> "shadow limit"
+  Just Kink -> "kink"
+  Nothing -> "equal parts"
