@@ -311,8 +311,8 @@ spec = do
       for_ [["--lines"], ["--breaks", "all"], ["--max-elements", "2"]] $ \options ->
         refuses 1 ["for the figure mesh"] (["draw", "scene", "scenes/room.json"] <> options) ""
       refuses 1 ["for the figure view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
-    it "draws the figures of the README" $
-      for_ [("scene", "room"), ("dual", "room-dual"), ("view --corner 0.1", "room-view")] $ \(figure, name) -> do
+    it "draws the figures of the README and of docs/mesh.md" $
+      for_ documentedFigures $ \(figure, name) -> do
         svg <- output (["draw"] <> take 1 (words figure) <> ["scenes/room.json"] <> drop 1 (words figure)) ""
         shown <- readFile ("docs" </> "figures" </> name <> ".svg")
         svg `shouldBe` shown
@@ -486,6 +486,14 @@ spec = do
           "{\"polygons\": [[[0,0],[1,0],[0,1]], [[1,0],[\"1/4\",\"1/2\"],[\"1/4\",\"1/4\"]]]}"
   where
     nowhere = "/nowhere/at/all.svg"
+    -- Figures of scenes/room.json, and their names in docs/figures.
+    documentedFigures =
+      [ ("scene", "room")
+      , ("dual", "room-dual")
+      , ("view --corner 0.1", "room-view")
+      , ("mesh", "room-mesh")
+      , ("mesh --breaks shadow-limits --lines", "room-shadows")
+      ]
     sceneFiles = sort . filter ((`elem` [".json", ".geojson", ".wkt"]) . takeExtension) <$> listDirectory "scenes"
 
 -- | What a cell of a data file holds.
