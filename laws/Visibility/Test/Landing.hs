@@ -8,7 +8,6 @@ module Visibility.Test.Landing
   ) where
 
 import qualified Data.Map.Strict as Map
-import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Exact.Point (Point (..))
 import Visibility.Mesh
@@ -53,12 +52,14 @@ landedByRays scene = Map.union found (Map.fromList [(side, []) | side <- statedS
     byPlace =
       Map.fromListWith
         Set.union
-        [ ((sideName scene s, positionOn scene (sideName scene s) point, point), Set.singleton (castOf scene seen pair))
+        [ ((sideName scene s, positionOn scene (sideName scene s) point, point), Set.singleton (castOf scene (`at` besides) pair))
         | pair <- Set.toList seen
         , Just (s, point) <- [lengthened scene pair]
         ]
     seen = Set.fromList (concat [[(p, q), (q, p)] | p <- corners scene, q <- corners scene, p < q, isSeen p q])
     isSeen = isElementary scene
+    besides = Map.fromListWith (<>) [(c, [(p, q)]) | (p, q) <- Set.toList seen, c <- [p, q]]
+    at c = Map.findWithDefault [] c
 
 -- | Where the ray from the second corner over the first one ends, if it goes on there and ends strictly inside a side.
 lengthened :: Scene -> (CornerId, CornerId) -> Maybe (SideId, Point)
@@ -101,11 +102,11 @@ to (Point ax ay) (Point bx by) = (bx - ax, by - ay)
 goesOn :: Scene -> CornerId -> (CornerId, CornerId) -> Bool
 goesOn scene c (from, towards) = not (entersSolid scene JustThen c (heading scene from towards))
 
--- | The caster of the line of an elementary pair at its first end: of all elementary pairs that hang together with it,
--- the nearest free bitangent, or if there is none the nearest one; of several that join the same places that with the
--- smaller names.
-castOf :: Scene -> Set (CornerId, CornerId) -> (CornerId, CornerId) -> Cast
-castOf scene seen pair@(near, far)
+-- | The caster of the line of an elementary pair at its first end, by the pairs at each corner: of all those that hang
+-- together with this one, the nearest free bitangent, or if there is none the nearest one; of several that join the
+-- same places that with the smaller names.
+castOf :: Scene -> (CornerId -> [(CornerId, CornerId)]) -> (CornerId, CornerId) -> Cast
+castOf scene pairsAt pair@(near, far)
   | null free = (Kink, nearestOf line)
   | otherwise = (ShadowLimit, nearestOf free)
   where
@@ -121,8 +122,7 @@ castOf scene seen pair@(near, far)
     connected found ((p, q) : rest) =
       let more =
             [ (a, b)
-            | (a, b) <- Set.toList seen
-            , a `elem` [p, q] || b `elem` [p, q]
+            | (a, b) <- pairsAt p <> pairsAt q
             , all onLine [a, b]
             , distance a < distance b
             , (a, b) `Set.notMember` found
