@@ -13,6 +13,7 @@ module Visibility.Exact.Rounding
   , defaultDigits
   , decimal
   , decimalQuotient
+  , outwardDecimals
 
     -- * Floating point
   , nearestDouble
@@ -78,6 +79,17 @@ decimalQuotient :: Digits -> RootSum -> RootSum -> Maybe String
 decimalQuotient n a b = do
   value <- quotientValue (firstBits n) a b
   Just (written n (rounded (nearestDecimal n) value))
+
+-- | Two rationals written like 'decimal', but rounded outwards: the first one downwards, the second one upwards.
+--
+-- /Degenerate cases:/ zero is @0@ whatever N.
+--
+-- /Laws:/ what is written encloses the interval; an end that has N digits or less stays. Each end moves by less than a
+-- unit of its last digit.
+--
+-- Example: (1\/3, 2\/3) with two digits is @0.33@, @0.67@.
+outwardDecimals :: Digits -> (Rational, Rational) -> (String, String)
+outwardDecimals n (low, high) = (written n (toDecimal Downwards n low), written n (toDecimal Upwards n high))
 
 -- | Enough bits for the digits, and some more so that a second look is seldom needed.
 firstBits :: Digits -> Int
@@ -164,29 +176,45 @@ awayFromZero (low, high)
 data Decimal = Decimal !Integer !Int
   deriving (Eq)
 
+-- | Which decimal stands for a number that is between two of them.
+data Toward
+  = -- | The nearest one, of two the one with the even last digit.
+    Nearest
+  | Downwards
+  | Upwards
+
 -- | The nearest decimal of N digits, ties to the even last digit.
 nearestDecimal :: Digits -> Rational -> Decimal
-nearestDecimal (Digits n) q
+nearestDecimal = toDecimal Nearest
+
+toDecimal :: Toward -> Digits -> Rational -> Decimal
+toDecimal toward (Digits n) q
   | q == 0 = Decimal 0 0
-  | q < 0 = let Decimal m e = positive (negate q) in Decimal (negate m) e
-  | otherwise = positive q
+  | q < 0 = let Decimal m e = positive (opposite toward) (negate q) in Decimal (negate m) e
+  | otherwise = positive toward q
   where
+    opposite Nearest = Nearest
+    opposite Downwards = Upwards
+    opposite Upwards = Downwards
     (least, limit) = (10 ^ (n - 1), 10 ^ n) :: (Integer, Integer)
-    positive a = place a (estimatedExponent a)
+    positive way a = place way a (estimatedExponent a)
     -- The estimate may be off; the digits before the point tell.
-    place a e
-      | whole < least = place a (e - 1)
-      | whole >= limit = place a (e + 1)
+    place way a e
+      | whole < least = place way a (e - 1)
+      | whole >= limit = place way a (e + 1)
       | up + whole == limit = Decimal least (e + 1)
       | otherwise = Decimal (up + whole) e
       where
         shift = n - 1 - e
         (x, y) = (numerator a * 10 ^ max 0 shift, denominator a * 10 ^ max 0 (negate shift))
         (whole, rest) = x `quotRem` y
-        up = case compare (2 * rest) y of
-          LT -> 0
-          EQ -> whole `rem` 2
-          GT -> 1
+        up = case way of
+          Downwards -> 0
+          Upwards -> if rest == 0 then 0 else 1
+          Nearest -> case compare (2 * rest) y of
+            LT -> 0
+            EQ -> whole `rem` 2
+            GT -> 1
 
 -- | The decimal exponent of a positive rational, from the lengths of its parts in bits; nearly always at most one off.
 estimatedExponent :: Rational -> Int

@@ -201,6 +201,27 @@ spec = do
     it "gives the first digits of √2" $
       text 30 (summed [(1, 2)]) `shouldBe` "1.41421356237309504880168872421"
 
+  describe "outwardDecimals" $ do
+    it "encloses, each end by less than a unit of the last digit" $
+      forAll (choose (1, 30)) $ \n -> property $ \a b ->
+        let (low, high) = (min a b, max a b) :: (Rational, Rational)
+            (down, up) = maybe ("", "") (`outwardDecimals` (low, high)) (digits n)
+            valueOf t = let (m, e) = readBack t in (fromInteger m * 10 ^^ e, if t == "0" then 0 else 10 ^^ e)
+            (downValue, downUnit) = valueOf down
+            (upValue, upUnit) = valueOf up
+         in counterexample (down <> " " <> up) $
+              downValue <= low && high <= upValue
+                && (low == 0 || low - downValue < downUnit)
+                && (high == 0 || upValue - high < upUnit)
+    it "keeps what needs no rounding, and says zero" $
+      forM_ [(0, "0"), (1 % 4, "0.250"), (-5 % 2, "-2.50"), (999, "999")] $ \(q, t) ->
+        fmap (`outwardDecimals` (q, q)) (digits 3) `shouldBe` Just (t, t)
+    it "rounds away from the inside, over a power of ten too" $
+      map
+        (\q -> fmap (`outwardDecimals` (q, q)) (digits 2))
+        [1 % 3, -1 % 3, 9991 % 10000, -9991 % 10000]
+        `shouldBe` map Just [("0.33", "0.34"), ("-0.34", "-0.33"), ("0.99", "1.0"), ("-1.0", "-0.99")]
+
   describe "decimalQuotient" $ do
     it "refuses a divisor that is zero, hidden or not" $
       map (quotientText 5 (rational 1)) [zero, hiddenZero] `shouldBe` [Nothing, Nothing]
