@@ -54,6 +54,10 @@ module Visibility
   , BreakPoint (..)
   , discontinuityMesh
   , meshSides
+    -- * Radiosity (its parts: "Visibility.Radiosity")
+  , radiosity
+  , Closeness (..)
+  , Radiosity (..)
     -- * Numbers
   , RootSum
   , decimal
@@ -83,6 +87,7 @@ import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor (FormFactor (..), Measures, NearestRow (..), formFactors, measures, nearestFactors)
 import Visibility.Format.File (readSceneFile)
 import Visibility.Mesh (BreakPoint (..), Mesh, discontinuityMesh, meshSides)
+import Visibility.Radiosity (Closeness (..), Radiosity (..), radiosity)
 import Visibility.Scene (CornerId (..), Object (..), Scene, SideId (..))
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
 import Visibility.Scene.Validate (validate)

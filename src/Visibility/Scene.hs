@@ -52,6 +52,7 @@ module Visibility.Scene
   , sideRanks
   , piecesOf
   , sideSpan
+  , statedMaterial
   , uncovered
   , seenAs
   , objectText

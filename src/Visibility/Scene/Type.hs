@@ -42,6 +42,7 @@ module Visibility.Scene.Type
   , sideRanks
   , piecesOf
   , sideSpan
+  , statedMaterial
   , uncovered
   , seenAs
   , objectText
@@ -321,11 +322,16 @@ piecesOf scene name = map SideId . bucketOf (piecesBySide scene) <$> statedSideN
 
 -- | The way along a side of the file on the lattice, whole, whatever covers it. /Requires/ the name of a side.
 sideSpan :: Scene -> SideName -> Way
-sideSpan scene name = case statedSideNumber stated name of
-  Just i -> statedWay stated i
-  Nothing -> broken "a side has the name of one of the file" (sideText name)
-  where
-    stated = sceneStated scene
+sideSpan scene = statedWay (sceneStated scene) . sideNumber scene
+
+-- | The material of a side of the file. /Requires/ the name of a side.
+statedMaterial :: Scene -> SideName -> Material
+statedMaterial scene name = statedMaterials (sceneStated scene) V.! sideNumber scene name
+
+-- | The place in 'statedSides' of a name. /Requires/ the name of a side.
+sideNumber :: Scene -> SideName -> Int
+sideNumber scene name = fromMaybe (broken "a side has the name of one of the file" (sideText name)) $
+  statedSideNumber (sceneStated scene) name
 
 -- | The part of a side that nothing covers, from 0 to 1. /Requires/ the name of a side.
 uncovered :: Scene -> SideName -> Rational

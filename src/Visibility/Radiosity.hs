@@ -1,0 +1,157 @@
+-- | Radiosity of a scene: B = E + ρ F B, each number within proved bounds.
+module Visibility.Radiosity
+  ( -- * What is asked for
+    Closeness (..)
+  , Tolerance
+  , tolerance
+  , toleranceValue
+  , defaultTolerance
+    -- * What is found
+  , Radiosity (..)
+  , Lit (..)
+  , Shortfall (..)
+  , radiosity
+  , radiosityOfElements
+    -- * Elements
+  , Element (..)
+  , sideElements
+  , elementText
+    -- * Energy
+  , Balance (..)
+  , balanceViolations
+  ) where
+
+import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector as V
+import Visibility.Exact.IntegerRoot (bitLength)
+import Visibility.Exact.Interval
+import Visibility.Exact.Rounding (Digits, digitCount, digits, defaultDigits)
+import Visibility.FormFactor
+import Visibility.Law (Violation (..), broken)
+import Visibility.Radiosity.Balance
+import Visibility.Radiosity.Certificate
+import Visibility.Radiosity.Solve
+import Visibility.Radiosity.System
+import Visibility.Scene
+import Visibility.Scene.Raw (Material (..))
+
+-- | How close bounds must be to each other, and from which form factors they are found.
+data Closeness
+  = -- | For every element at most this part of the largest radiosity of the scene; with form factors as the nearest
+    -- Doubles.
+    WithinTolerance !Tolerance
+  | -- | Ten times closer than so many digits of the largest radiosity; with form factors as exact sums of roots. For
+    -- small scenes: each costs a root for each of its terms.
+    ToDigits !Digits
+  deriving (Eq, Show)
+
+-- | A part of the largest radiosity, between 0 and 1.
+newtype Tolerance = Tolerance Rational
+  deriving (Eq, Ord, Show)
+
+-- | The smart constructor: 'Nothing' unless between 0 and 1.
+tolerance :: Rational -> Maybe Tolerance
+tolerance x = if x > 0 && x < 1 then Just (Tolerance x) else Nothing
+
+toleranceValue :: Tolerance -> Rational
+toleranceValue (Tolerance x) = x
+
+-- | 10^−9.
+defaultTolerance :: Tolerance
+defaultTolerance = Tolerance (1 / 10 ^ (9 :: Int))
+
+-- | The radiosities of a scene.
+data Radiosity = Radiosity
+  { litElements :: ![Lit]
+  , sideAverages :: ![(SideName, (Rational, Rational))]
+  -- ^ For each side of the file, the mean of the radiosities of its elements by the lengths that are not covered.
+  , energy :: !Balance
+  , passCount :: !Int
+  -- ^ How often Gauss–Seidel went through the matrix.
+  , nonzeroFactors :: !Int
+  -- ^ How many form factors between elements are not zero, of as many as there are pairs of elements.
+  , worthyDigits :: !Digits
+  -- ^ How many significant digits bounds are to be written with, so that rounding them outwards does not count.
+  }
+
+-- | An element with bounds of its radiosity, which is per unit of the length that is not covered.
+data Lit = Lit
+  { litElement :: !Element
+  , litMaterial :: !Material
+  , litOpen :: !Rational
+  -- ^ The part of it that nothing covers.
+  , litRadiosity :: !(Rational, Rational)
+  }
+
+-- | The radiosities of the sides of a scene, each an element.
+radiosity :: Closeness -> Scene -> Measures -> Either Shortfall Radiosity
+radiosity closeness scene = radiosityOfElements closeness scene (sideElements scene)
+
+-- | The radiosities of elements. The scene is that in which the elements are the sides; the materials are its own.
+--
+-- /Degenerate cases/ an element that others cover in part counts for the part that is free, see Note [Radiosity of
+-- sides that are covered in part]; one that is all covered has its emission as radiosity. An element that no light
+-- leaves has exactly 0.
+--
+-- /Requires/ one element for every side of the scene. /Cost/ O(factors) for each pass of Gauss–Seidel, and one product
+-- of integers per factor for each round of correction.
+--
+-- /Laws/ bounds enclose the solution of B = E + ρ F B with the exact form factors. What is emitted is absorbed or lost
+-- to the sky, within the bounds; else a law is broken.
+radiosityOfElements :: Closeness -> Scene -> [Element] -> Measures -> Either Shortfall Radiosity
+radiosityOfElements closeness scene elements sums = do
+  Solution bounds passes <- solve target system
+  let balance = balanceOf system bounds
+  for_ (take 1 (balanceViolations balance)) $ \(Violation law details) -> broken law details
+  let found = zipWith (litOf system) (V.toList (systemPatches system)) (V.toList (radiosityWithin bounds))
+  Right
+    Radiosity
+      { litElements = found
+      , sideAverages = averages found
+      , energy = balance
+      , passCount = passes
+      , nonzeroFactors = factorCount (systemMatrix system)
+      , worthyDigits = shownDigits
+      }
+  where
+    least = minimum (1 : [1 - reflectivity (statedMaterial scene (elementIn e)) | e <- elements])
+    -- Roundings of single units grow by the number of elements, and by how often light is reflected.
+    placesFor bits = Places (bits + bitLength (toInteger (length elements)) + 2 * bitLength (ceiling (1 / least)))
+    (system, target, shownDigits) = case closeness of
+      WithinTolerance (Tolerance x) ->
+        (fromNearest (placesFor 128) scene elements (nearestFactors scene sums), x * 9 / 10, digitsFor x)
+      ToDigits wanted ->
+        ( fromExact (placesFor (10 * digitCount wanted `quot` 3 + 48)) scene elements (formFactors scene sums)
+        , 1 / 10 ^ (digitCount wanted + 1)
+        , wanted
+        )
+
+litOf :: System -> Patch -> Interval -> Lit
+litOf system patch within =
+  Lit
+    { litElement = patchElement patch
+    , litMaterial = patchMaterial patch
+    , litOpen = patchOpen patch
+    , litRadiosity = (low * unit, high * unit)
+    }
+  where
+    (low, high) = ends (systemPlaces system) within
+    unit = powerOfTwo (systemScale system)
+
+-- | So many digits that an outward rounding of both ends costs less than a tenth of the tolerance.
+digitsFor :: Rational -> Digits
+digitsFor x = case digits (length (takeWhile (< 20 / x) (iterate (* 10) 1)) + 1) of
+  Just n -> n
+  Nothing -> defaultDigits
+
+averages :: [Lit] -> [(SideName, (Rational, Rational))]
+averages found = Map.toAscList (Map.map mean (Map.fromListWith (<>) [(elementSide (litElement l), [l]) | l <- found]))
+  where
+    mean group =
+      let total = sum (map free group)
+          weights = if total > 0 then map free group else map whole group
+          by pick = sum (zipWith (\w l -> w * pick (litRadiosity l)) weights group) / sum weights
+       in (by fst, by snd)
+    free l = whole l * litOpen l
+    whole l = elementTo (litElement l) - elementFrom (litElement l)
