@@ -5,6 +5,7 @@ import Command.Draw (runDraw)
 import Command.Generate (runGenerate)
 import Command.Mesh (runMesh)
 import Command.Query (runComplex, runFactors, runGraph, runInfo)
+import Command.Radiosity (runRadiosity)
 import Command.Report (runReport)
 import Command.Verify (runVerify)
 import Command.View (runView)
@@ -21,6 +22,7 @@ main = do
     Graph common options -> runGraph common options
     Factors common options -> runFactors common options
     Complex common -> runComplex common
+    Radiosity common options -> runRadiosity common options
     View common options -> runView common options
     Mesh common options -> runMesh common options
     Verify common -> runVerify common

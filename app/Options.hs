@@ -19,6 +19,8 @@ module Options
   , Figure (..)
   , GenerateOptions (..)
   , ReportOptions (..)
+  , RadiosityOptions (..)
+  , Elements (..)
   ) where
 
 import Control.Applicative (optional, (<**>))
@@ -62,6 +64,7 @@ import Options.Applicative.Types (Context (..))
 import Options.Common
 import Options.Factors
 import Options.Mesh
+import Options.Radiosity
 import Options.Reader
 import Options.Report
 import Visibility.Exact.Point (Point (..))
@@ -78,6 +81,7 @@ data Command
   | Factors !Common !FactorOptions
   | Complex !Common
   | Mesh !Common !MeshOptions
+  | Radiosity !Common !RadiosityOptions
   | Verify !Common
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
@@ -130,8 +134,8 @@ whole =
         <> progDesc
           "What sees what in a scene of polygons, decided without rounding: the visibility graph by a topological \
           \sweep, the whole visibility complex, views from points, corners and sides, form factors as exact sums of \
-          \square roots, figures. Scenes are files in JSON, GeoJSON (.geojson) or WKT (.wkt); - is standard input, \
-          \in JSON."
+          \square roots, radiosity within proved bounds, figures. Scenes are files in JSON, GeoJSON (.geojson) or WKT \
+          \(.wkt); - is standard input, in JSON."
         <> examples
           [ ("a scene to try things on", "viscomplex generate random --size 10 > ten.json")
           , ("how big is its complex?", "viscomplex info ten.json")
@@ -156,6 +160,7 @@ commands =
         <> command "graph" graphCommand
         <> command "factors" factorsCommand
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
+        <> command "radiosity" radiosityCommand
         <> command "view" viewCommand
         <> command "mesh" (info (right (Mesh <$> common <*> meshOptions)) meshHelp)
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
@@ -169,6 +174,9 @@ commands =
     graphing shared options = Graph shared options <$ together shared options
     factorsCommand = info (mistakenIn "factors" factorsCommand (factoring <$> common <*> factorOptions)) factorsHelp
     factoring shared = fmap (Factors shared)
+    radiosityCommand =
+      info (mistakenIn "radiosity" radiosityCommand (radiating <$> common <*> radiosityOptions)) radiosityHelp
+    radiating shared = fmap (Radiosity shared)
     viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> common <*> viewOptions)) viewHelp
     drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
     drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
@@ -205,6 +213,17 @@ commands =
         <> examples
           [ ("all of it", "viscomplex complex scenes/room.json > room-complex.json")
           , ("the faces, with jq", "viscomplex complex scenes/room.json | jq -c '.faces[]'")
+          ]
+          ""
+    radiosityHelp =
+      progDesc
+        "Print the radiosity of every side as JSON: a lower and an upper bound, proved, that are as close as asked; \
+        \and what is emitted, absorbed and lost to the sky. Emission and reflectivity are those of the scene's file."
+        <> examples
+          [ ("within a billionth", "viscomplex radiosity scenes/flat.json")
+          , ("closer", "viscomplex radiosity scenes/flat.json --tolerance 1e-12")
+          , ("fifty digits, from exact form factors", "viscomplex radiosity scenes/room.json --digits 50")
+          , ("the sides, with jq", "viscomplex radiosity scenes/room.json | jq -c '.sides[]'")
           ]
           ""
     viewHelp =

@@ -3,6 +3,7 @@
 -- | The command line as its users see it: the executable named by VISCOMPLEX_EXE, or bin/viscomplex.
 module CommandSpec (spec) where
 
+import Command.Run
 import qualified Data.Aeson as Aeson
 import qualified Data.Aeson.Types as Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy
@@ -10,11 +11,10 @@ import Data.Char (isDigit)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Maybe (listToMaybe)
 import qualified Data.Set as Set
 import Data.Traversable (for)
 import System.Directory (doesFileExist, listDirectory)
-import System.Environment (lookupEnv)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension, (</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -22,30 +22,6 @@ import System.Process (readProcessWithExitCode)
 import System.Timeout (timeout)
 import Test.Hspec
 import Visibility.Scene.Id (CornerName, readCornerName)
-
--- | Runs the program with arguments and standard input: exit code, standard output, standard error.
-run :: [String] -> String -> IO (Int, String, String)
-run arguments input = do
-  exe <- executable
-  (code, out, err) <- readProcessWithExitCode exe arguments input
-  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
-
-executable :: IO FilePath
-executable = fromMaybe "bin/viscomplex" <$> lookupEnv "VISCOMPLEX_EXE"
-
--- | The output of a call that must succeed, and say nothing else.
-output :: [String] -> String -> IO String
-output arguments input = do
-  (code, out, err) <- run arguments input
-  (code, err) `shouldBe` (0, "")
-  pure out
-
--- | A call that must fail with this exit code, print nothing, and say all of this.
-refuses :: Int -> [String] -> [String] -> String -> Expectation
-refuses wanted phrases arguments input = do
-  (code, out, err) <- run arguments input
-  (code, out) `shouldBe` (wanted, "")
-  for_ phrases $ \phrase -> err `shouldSatisfy` isInfixOf phrase
 
 -- | A pair of a line of the graph.
 pairOf :: String -> (CornerName, CornerName)

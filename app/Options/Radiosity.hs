@@ -1,0 +1,67 @@
+-- | How radiosities are asked for.
+module Options.Radiosity
+  ( RadiosityOptions (..)
+  , Elements (..)
+  , radiosityOptions
+  ) where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import Options.Applicative
+import Options.Reader
+import Visibility.Error (numberFaultText)
+import Visibility.Exact.Rounding (digits)
+import Visibility.Format.Number (readNumber)
+import Visibility.Radiosity (Closeness (..), defaultTolerance, tolerance)
+
+data RadiosityOptions = RadiosityOptions
+  { radiosityElements :: !Elements
+  , radiosityCloseness :: !Closeness
+  }
+
+-- | What has one radiosity.
+data Elements
+  = -- | Every side.
+    WholeSides
+
+-- | The options, or what does not go together.
+radiosityOptions :: Parser (Either String RadiosityOptions)
+radiosityOptions = combined <$> mesh <*> optional within <*> optional exact
+  where
+    mesh =
+      option
+        (oneOf [("sides", WholeSides)])
+        ( long "mesh"
+            <> metavar "sides"
+            <> value WholeSides
+            <> showDefaultWith (const "sides")
+            <> help "The elements: whole sides."
+        )
+    within =
+      option
+        toleranceReader
+        ( long "tolerance"
+            <> metavar "X"
+            <> help
+              "How far the bounds of an element may be apart, as a part of the largest radiosity: an exact number \
+              \such as 1e-12. Form factors are the nearest Doubles, which limits it. (default: 1e-9)"
+        )
+    exact =
+      option
+        digitsReader
+        ( long "digits"
+            <> metavar "N"
+            <> help "Significant digits, from exact form factors; for small scenes. Bounds are rounded outwards."
+        )
+    combined _ (Just _) (Just _) = Left "--tolerance is met with Doubles: it goes without --digits"
+    combined elements chosen Nothing =
+      Right (RadiosityOptions elements (WithinTolerance (fromMaybe defaultTolerance chosen)))
+    combined elements Nothing (Just n) = Right (RadiosityOptions elements (ToDigits n))
+    toleranceReader = eitherReader $ \word ->
+      case readNumber (Text.pack word) of
+        Left why -> Left (show word <> numberFaultText why)
+        Right x -> maybe (Left (word <> none)) Right (tolerance x)
+    none = " is no tolerance: give a number between 0 and 1, such as 1e-12"
+    digitsReader = eitherReader $ \word -> do
+      count <- fromInteger <$> wholeNumber "digits" 1 10000 word
+      maybe (Left "give 1 digit or more") Right (digits count)
