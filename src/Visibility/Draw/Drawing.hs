@@ -19,6 +19,7 @@ module Visibility.Draw.Drawing
   , marksIn
     -- * Extents
   , Box (..)
+  , boxRegion
   , textBox
   , textBoxAt
   , textWidth
@@ -41,6 +42,7 @@ import Data.List (tails)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showFFloat)
+import Visibility.Draw.Colour (Shade)
 
 -- | A figure. The title and the description are for those who cannot see it.
 data Drawing = Drawing
@@ -142,6 +144,14 @@ data Style
   | ViewpointDot
   | VertexDot
   | DegenerateVertexDot
+  | -- | A cell of a matrix or of a colour bar, for a value.
+    Cell !Shade
+  | -- | A band along a side, or the area under a profile, for a value.
+    Band !Shade
+  | -- | The edge of bands.
+    BandEdge
+  | -- | The values along a side.
+    Profile
   | -- | Points of a plot that belong together, and the line that joins them.
     Series1
   | Series2
@@ -166,7 +176,7 @@ data Style
   | AxisTitle
   | FigureTitle
   | Caption
-  deriving (Eq, Ord, Show, Enum, Bounded)
+  deriving (Eq, Ord, Show)
 
 -- | Pixels to the right and upwards.
 data Place = Place !Double !Double
@@ -183,6 +193,10 @@ marksIn name drawing = concat [layerMarks layer | layer <- drawingLayers drawing
 -- | A rectangle: left, bottom, right, top.
 data Box = Box !Double !Double !Double !Double
   deriving (Eq, Show)
+
+-- | A rectangle as a region.
+boxRegion :: Box -> Shape
+boxRegion (Box l b r t) = Region [Place l b, Place r b, Place r t, Place l t]
 
 -- | The size of the font, in pixels; 0 for what is not text.
 textSize :: Style -> Double
@@ -280,6 +294,8 @@ strokeWidth density style = case style of
   SeenSide -> by 3.4 2.8 1.8 1.2
   SeeingSide -> by 5.4 4.6 3.4 2.4
   Arrow -> 2
+  BandEdge -> by 0.6 0.4 0.2 0.1
+  Profile -> 1.2
   ViewpointDot -> 1.6
   DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
   Axis -> 1

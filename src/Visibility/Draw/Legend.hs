@@ -29,7 +29,7 @@ lineSwatch styles (Box l b r t) = [plain style (Polyline [Place l y, Place r y])
 
 -- | A filled rectangle.
 regionSwatch :: Style -> Box -> [Mark]
-regionSwatch style (Box l b r t) = [plain style (Region [Place l b, Place r b, Place r t, Place l t])]
+regionSwatch style box = [plain style (boxRegion box)]
 
 -- | A dot.
 dotSwatch :: Style -> Box -> [Mark]

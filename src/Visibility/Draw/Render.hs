@@ -17,6 +17,7 @@ import Diagrams.Backend.SVG
 import Diagrams.Prelude hiding (Style, height, place, solid, stroke, text, thin, width, with)
 import Graphics.Svg (Element, desc_, g_, makeAttribute, renderBS, style_, svg11_, title_, toElement, with)
 import Numeric (showFFloat)
+import Visibility.Draw.Colour (hexText)
 import Visibility.Draw.Drawing
 
 -- | The SVG of a drawing: as many user units as the drawing has pixels, a white ground, each layer a @g@ whose class
@@ -35,7 +36,10 @@ renderSvg drawing =
       <> document (rect width height # moveTo (p2 (width / 2, height / 2)) # fc white # lw none)
       <> foldMap layerGroup (drawingLayers drawing)
   where
-    layerGroup layer = g_ [makeAttribute "class" (layerName layer)] (document (layerPicture layer))
+    layerGroup layer = g_ (makeAttribute "class" (layerName layer) : edges layer) (document (layerPicture layer))
+    -- Cells that share an edge would show a seam of the ground where viewers smooth their edges.
+    edges layer = [makeAttribute "shape-rendering" "crispEdges" | any (isCell . markStyle) (layerMarks layer)]
+    isCell style = case style of Cell _ -> True; _ -> False
     (width, height) = (drawingWidth drawing, drawingHeight drawing)
     attributes =
       [ makeAttribute "role" "img"
@@ -157,6 +161,10 @@ look density style = case style of
   ViewpointDot -> Look (Just accent) (Just "#ffffff") []
   VertexDot -> Look (Just dark) Nothing []
   DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) []
+  Cell shade -> Look (Just (hexText shade)) Nothing []
+  Band shade -> Look (Just (hexText shade)) Nothing []
+  BandEdge -> line dark
+  Profile -> line dark
   Series1 -> line "#1f1f1f"
   Series2 -> line "#1f62a8"
   Series3 -> line "#b3122a"

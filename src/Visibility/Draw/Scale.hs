@@ -6,6 +6,7 @@ module Visibility.Draw.Scale
   , multiplesWithin
   , decimalText
   , roundedTo
+  , thinned
     -- * Conversions
   , quotient
   , directionAngle
@@ -40,6 +41,15 @@ multiplesWithin step low high = [fromInteger k * step | k <- [ceiling (low / ste
 -- | The multiple of a positive step next to a number.
 roundedTo :: Rational -> Rational -> Rational
 roundedTo step x = fromInteger (round (x / step)) * step
+
+-- | The numbers from the first to the last, or every second, third and so on, so that there are at most so many steps.
+--
+-- /Requires/ at least one step.
+--
+-- >>> thinned 3 0 7
+-- [0,3,6]
+thinned :: Int -> Int -> Int -> [Int]
+thinned most from to = [from, from + max 1 ((to - from + most - 1) `div` most) .. to]
 
 -- | A finite decimal, exactly; with an exponent where it would be long. A number that is no finite decimal is given as
 -- a fraction.

@@ -15,7 +15,6 @@ module Visibility.Draw.Scenery
   , placeOf
   , placeOfPoint
     -- * Polygons
-  , boxRegion
   , groundLayers
   , polygonMarks
   , polygonDensity
@@ -121,10 +120,6 @@ placed frame (x, y) = Place (ox + part (x - left)) (oy + part (y - bottom))
     (left, bottom) = frameCorner frame
     Place ox oy = frameOrigin frame
     part v = frameScale frame * fromRational (v / frameExtent frame)
-
--- | A rectangle as a region.
-boxRegion :: Box -> Shape
-boxRegion (Box l b r t) = Region [Place l b, Place r b, Place r t, Place l t]
 
 -- | The layers below everything: @outside@ and @room@ of an enclosure.
 groundLayers :: Scene -> Frame -> [Layer]

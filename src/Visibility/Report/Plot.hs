@@ -15,6 +15,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
 import Visibility.Draw.Legend
+import Visibility.Draw.Scale (thinned)
 
 -- | What is plotted.
 data Plot = Plot
@@ -141,7 +142,7 @@ rulerFor scale values = case scale of
           if positive v then Just ((logBase 10 v - fromIntegral low) / fromIntegral (high - low)) else Nothing
       , steps = map decadePart [low + 1 .. high]
       , -- Not more labels than there is room for.
-        ticks = [(decadePart k, decade k) | k <- [low, low + max 1 ((high - low + 11) `div` 12) .. high]]
+        ticks = [(decadePart k, decade k) | k <- thinned 12 low high]
       }
   Steps _ ->
     Ruler

@@ -22,6 +22,17 @@ spec = do
   describe "multiplesWithin" $
     it "includes both ends" $
       multiplesWithin (1 / 2) (-1) (1 / 2) `shouldBe` [-1, -1 / 2, 0, 1 / 2]
+  describe "thinned" $
+    it "has at most so many steps, all the same, and no fewer than it must" $
+      property $ \(Positive most) from (NonNegative more) ->
+        let found = thinned most from (from + more)
+            step = case found of a : b : _ -> b - a; _ -> more + 1
+         in conjoin
+              [ take 1 found === [from]
+              , counterexample (show found) (length found <= most + 1 && all (<= from + more) found)
+              , zipWith (-) (drop 1 found) found === (step <$ drop 1 found)
+              , counterexample (show step) (step == 1 || more >= most * (step - 1) || length found == 1)
+              ]
   describe "decimalText" $ do
     it "is exact" $
       map (Text.unpack . decimalText) [0, 1 / 4, -20, 12.5, 0.001, 3 * 10 ^ (9 :: Int), 1500000, 15000000, 1 / 3]

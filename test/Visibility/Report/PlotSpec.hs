@@ -79,4 +79,5 @@ plotOf across upwards found =
         ]
     }
   where
-    looks = zip [Series1 .. Series9] [minBound .. maxBound]
+    looks = zip series [minBound .. maxBound]
+    series = [Series1, Series2, Series3, Series4, Series5, Series6, Series7, Series8, Series9]

@@ -1,0 +1,102 @@
+-- | Scales of values, for axes and for colours, and the bar that explains the colours.
+module Visibility.Draw.Values
+  ( -- * Scales
+    Scaling (..)
+  , Values
+  , fitted
+  , placeOn
+  , ticks
+    -- * Colours
+  , Tone (..)
+  , shadeOf
+  , colourBar
+  ) where
+
+import Data.Text (Text)
+import Visibility.Draw.Colour
+import Visibility.Draw.Drawing
+import Visibility.Draw.Scale
+
+-- | How values are spread: evenly, or their logarithms.
+data Scaling = Linear | Logarithmic
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | A scale, by the values at its ends: those of a logarithmic one by their logarithms to the base 10.
+data Values = Values !Scaling !Double !Double
+  deriving (Eq, Show)
+
+-- | The scale that some values just fit on. A linear one begins at 0.
+--
+-- /Degenerate cases/ values that are not positive, or infinite, do not count; if there are no others, a linear scale ends
+-- at 1 and a logarithmic one is around 1. A logarithmic scale spans at least a factor of ten, from the greatest value downwards.
+fitted :: Scaling -> [Double] -> Values
+fitted scaling values = case (scaling, filter (\v -> v > 0 && not (isInfinite v)) values) of
+  (Linear, []) -> Values Linear 0 1
+  (Linear, found) -> Values Linear 0 (maximum found)
+  (Logarithmic, []) -> Values Logarithmic (-0.5) 0.5
+  (Logarithmic, found) ->
+    let (low, high) = (logBase 10 (minimum found), logBase 10 (maximum found))
+     in Values Logarithmic (min low (high - 1)) high
+
+-- | Where a value lies on a scale, from 0 to 1.
+--
+-- /Degenerate cases/ what lies beyond an end, as 0 on a logarithmic scale, is at that end.
+--
+-- /Laws/ monotone.
+placeOn :: Values -> Double -> Double
+placeOn (Values scaling low high) value = case scaling of
+  Linear -> kept ((value - low) / (high - low))
+  Logarithmic
+    | value > 0 -> kept ((logBase 10 value - low) / (high - low))
+    | otherwise -> 0
+  where
+    kept t
+      | t >= 1 = 1
+      | t > 0 = t
+      | otherwise = 0
+
+-- | Round values on a scale, from the least upwards, with their places and texts; about as many as asked for.
+ticks :: Int -> Values -> [(Double, Text)]
+ticks most (Values scaling low high) = case scaling of
+  Linear -> [tick value | value <- multiplesWithin (roundStep (toRational high / fromIntegral most)) 0 (toRational high)]
+  Logarithmic
+    | last' - first >= 2 -> [tick (10 ^^ k) | k <- thinned most first last']
+    | otherwise -> [tick value | k <- [first - 1 .. last'], m <- [1, 2, 5], let value = m * 10 ^^ k, within value]
+  where
+    (first, last') = (ceiling low, floor high) :: (Int, Int)
+    tick value = (placeOn (Values scaling low high) (fromRational value), decimalText value)
+    within value = let l = logBase 10 (fromRational value) in l >= low && l <= high
+
+-- | What bright colours stand for.
+data Tone
+  = -- | As of light.
+    MoreIsBrighter
+  | -- | As of ink.
+    MoreIsDarker
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | The colour of a value.
+--
+-- /Laws/ monotone, in the direction that the tone says.
+shadeOf :: Tone -> Values -> Double -> Shade
+shadeOf tone values = toned tone . shadeAt . placeOn values
+
+toned :: Tone -> Shade -> Shade
+toned MoreIsBrighter = id
+toned MoreIsDarker = opposite
+
+-- | The colours in a box, from the least value at its left to the greatest, with ticks and their values below.
+--
+-- /Shape/ cells, then what explains them, which takes 20 pixels below the box and some to its left and right.
+colourBar :: Tone -> Values -> Box -> ([Mark], [Mark])
+colourBar tone values (Box l b r t) = (zipWith cell [0 ..] shades, frame : concatMap tickMarks (ticks 6 values))
+  where
+    step = (r - l) / fromIntegral (length shades)
+    cell k shade = plain (Cell (toned tone shade)) (boxRegion (Box (l + step * k) b (l + step * (k + 1)) t))
+    frame = plain Axis (boxRegion (Box l b r t))
+    tickMarks (s, text) =
+      [ plain Tick (Polyline [Place x (b - 5), Place x b])
+      , plain TickLabel (Label MiddleAnchor (Place x (b - 17)) text)
+      ]
+      where
+        x = l + s * (r - l)
