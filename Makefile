@@ -131,14 +131,15 @@ demo: build ## run the main job on scenes/, into out/
 	  step factors "$$scene" --digits 17 > "$$out/factors.csv"
 	  step draw scene "$$scene" -o "$$out/scene.svg"
 	  step draw dual "$$scene" -o "$$out/dual.svg"
+	  step draw matrix "$$scene" -o "$$out/matrix.svg"
 	  step complex "$$scene" > "$$out/complex.json"
 	  step verify "$$scene" > "$$out/verify.txt"
 	  step draw view "$$scene" --corner 0.0 -o "$$out/view.svg"
-	  printf '%-28s %7d visible pairs  %7d form factors  %s  scene.svg  dual.svg  view.svg\n' "$$out" \
+	  printf '%-28s %7d visible pairs  %7d form factors  %s  scene.svg  dual.svg  view.svg  matrix.svg\n' "$$out" \
 	    "$$(wc -l < "$$out/graph.txt")" "$$(($$(wc -l < "$$out/factors.csv") - 1))" "$$(tail -n 1 "$$out/verify.txt")"
 	done
 	echo
-	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg, dual.svg and view.svg; numbers are in graph.txt, factors.csv, complex.json and info.txt beside them."
+	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg, dual.svg, view.svg and matrix.svg; numbers are in graph.txt, factors.csv, complex.json and info.txt beside them."
 
 # The figures of docs/degeneracies.md that show more than the scene with its free bitangents.
 define FIGURE_OF

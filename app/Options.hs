@@ -93,7 +93,7 @@ data DrawOptions = DrawOptions
   , figureFile :: !(Maybe FilePath)
   }
 
-data Figure = SceneFigure | DualFigure | ViewFigure !From | MeshFigure !MeshFigureOptions
+data Figure = SceneFigure | DualFigure | MatrixFigure | ViewFigure !From | MeshFigure !MeshFigureOptions
 
 -- | Whose view is asked for.
 data From
@@ -260,6 +260,7 @@ commands =
         <> examples
           [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
           , ("its dual: lines as points", "viscomplex draw dual scenes/room.json -o room-dual.svg")
+          , ("its form factors", "viscomplex draw matrix scenes/room.json -o room-matrix.svg")
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
           , ("where shadows end, with the lines", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
           ]
@@ -323,10 +324,11 @@ figureKind = (\name from mesh -> from >>= combined name mesh) <$> figureName <*>
   where
     figureName =
       argument
-        (oneOf [("scene", PlainFigure SceneFigure), ("dual", PlainFigure DualFigure), ("view", OfView), ("mesh", OfMesh)])
+        (oneOf [("scene", PlainFigure SceneFigure), ("dual", PlainFigure DualFigure), ("matrix", PlainFigure MatrixFigure), ("view", OfView), ("mesh", OfMesh)])
         ( metavar "FIGURE"
             <> help
               "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \
+              \matrix: the form factors, a coloured cell for each that is not zero. \
               \view: what is seen --from a point, a --corner or a --side. mesh: the break points of all sides."
         )
     combined OfMesh mesh Nothing = Right (MeshFigure (fromMaybe plainMeshFigure mesh))

@@ -184,7 +184,7 @@ spec = do
         map sizeOf ["corners", "vertices", "edges", "faces"]
           `shouldBe` map (`lookup` info) ["corners", "vertices", "edges", "faces"]
     it "does not come between the scheduler and the other commands" $
-      for_ [["graph"], ["factors"], ["draw", "scene"], ["draw", "dual"]] $ \command -> do
+      for_ [["graph"], ["factors"], ["draw", "scene"], ["draw", "dual"], ["draw", "matrix"]] $ \command -> do
         topological <- output (command <> ["scenes/grid.json"]) ""
         straight <- output (command <> ["scenes/grid.json", "--scheduler", "straight"]) ""
         (command, straight == topological) `shouldBe` (command, True)
@@ -266,7 +266,7 @@ spec = do
         svg `shouldSatisfy` isInfixOf "<svg"
     it "writes a figure to the file named, and nothing else" $
       withSystemTempDirectory "viscomplex" $ \folder ->
-        for_ ["scene", "dual", "mesh"] $ \figure -> do
+        for_ ["scene", "dual", "matrix", "mesh"] $ \figure -> do
           let file = folder </> figure <> ".svg"
           out <- output ["draw", figure, "scenes/room.json", "-o", file] ""
           out `shouldBe` ""

@@ -1,18 +1,21 @@
 module Visibility.Draw.RenderSpec (spec) where
 
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Char (isAlphaNum, isSpace)
+import Data.Char (digitToInt, isAlphaNum, isSpace)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf)
+import Data.List (intercalate, isInfixOf, isPrefixOf)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Draw.Colour
 import Visibility.Draw.Drawing
 import Visibility.Draw.Dual
 import Visibility.Draw.Gallery
+import Visibility.Draw.Matrix
 import Visibility.Draw.Render
 import Visibility.Draw.Scene
+import Visibility.FormFactor
 import Visibility.Sweep
 import Visibility.View
 
@@ -55,6 +58,15 @@ spec = do
             caption = plain Caption (Label StartAnchor (Place 5 5) text)
             drawing = Drawing text text 800 100 [Layer (Text.pack "t") Sparse [caption]]
          in xmlFault (rendered drawing) === Nothing
+  describe "any shade" $
+    it "is drawn in its colour, as a cell without smoothed edges, so that no seams show between cells, or as a band" $
+      for_ shades $ \shade -> do
+        let svgOf style = rendered (Drawing Text.empty Text.empty 800 100 [Layer (Text.pack "l") Sparse [marked style]])
+            marked style = plain style (boxRegion (Box 1 1 9 9))
+            crisp = "shape-rendering=\"crispEdges\""
+        for_ [(Cell shade, True), (Band shade, False)] $ \(style, isCrisp) -> do
+          (("fill=\"" <> decimalRgb (hexText shade) <> "\"") `isInfixOf` svgOf style) `shouldBe` True
+          (crisp `isInfixOf` svgOf style) `shouldBe` isCrisp
   describe "any density" $
     it "draws as many pieces of line as there are" $
       for_ [minBound .. maxBound] $ \density -> do
@@ -66,7 +78,11 @@ spec = do
     figures =
       [ ("scene", \scene -> sceneDrawing scene (vertices scene))
       , ("dual", \scene -> dualDrawing scene (events scene (vertices scene)))
+      , ("matrix", \scene -> matrixDrawing (factorMatrix scene (nearestFactors scene (measures scene (vertices scene)))))
       ]
+    decimalRgb hex = case map digitToInt (drop 1 hex) of
+      [a, b, c, d, e, f] -> "rgb(" <> intercalate "," (map show [16 * a + b, 16 * c + d, 16 * e + f]) <> ")"
+      _ -> "no colour"
     rendered drawing = Text.unpack (Text.decodeUtf8 (Lazy.toStrict (renderSvg drawing)))
     groups svg = [takeWhile (/= '"') (drop 7 rest) | rest <- suffixes svg, "class=\"" `isPrefixOf` rest]
     suffixes = takeWhile (not . null) . iterate (drop 1)

@@ -1,0 +1,222 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The figure of a matrix, as that of the form factors: a cell for each entry, coloured by its logarithm.
+module Visibility.Draw.Matrix
+  ( Matrix (..)
+  , Group (..)
+  , matrixDrawing
+  , factorMatrix
+  ) where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Numeric (showFFloat, showGFloat)
+import Visibility.Draw.Drawing
+import Visibility.Draw.Legend
+import Visibility.Draw.Scale
+import Visibility.Draw.Scenery (canvasWidth, sideMargin, titleMark)
+import Visibility.Draw.Values
+import Visibility.FormFactor (NearestRow (..))
+import Visibility.Scene
+
+-- | A matrix whose rows and columns are things in groups: sides by polygons, or elements by sides.
+data Matrix thing = Matrix
+  { matrixTitle :: !Text
+  , matrixQuantity :: !Text
+  -- ^ What the entries are.
+  , matrixThings :: !Text
+  -- ^ What the things are, in the plural.
+  , matrixGroups :: !Text
+  -- ^ What the groups are, in the plural.
+  , matrixRows :: ![Group thing]
+  , matrixColumns :: ![Group thing]
+  , matrixName :: thing -> Text
+  , matrixEntries :: ![(thing, thing, Double)]
+  -- ^ Row, column and value of all entries that are not zero, each once.
+  }
+
+-- | Rows or columns that belong together, with their name.
+data Group thing = Group
+  { groupLabel :: !Text
+  , groupMembers :: ![thing]
+  }
+  deriving (Eq, Show)
+
+-- | The matrix of form factors: from the sides of the file, by polygons, to the same and the sky.
+--
+-- /Shape/ no column for the sky where there is none. /Degenerate cases/ sides that are all covered have empty rows.
+factorMatrix :: Scene -> [NearestRow] -> Matrix Seen
+factorMatrix scene factors =
+  Matrix
+    { matrixTitle = "Form factors of " <> fromMaybe "an untitled scene" (sceneTitle scene)
+    , matrixQuantity = "form factor"
+    , matrixThings = "sides"
+    , matrixGroups = "polygons"
+    , matrixRows = polygons
+    , matrixColumns = polygons <> [Group "sky" [TheSky] | surroundings scene == OpenSky]
+    , matrixName = Text.pack . seenText
+    , matrixEntries = [(TheSide (rowFrom row), to, value) | row <- factors, (to, value) <- rowFactors row]
+    }
+  where
+    polygons = [Group (Text.pack (polygonText p)) (map TheSide members) | (p, members) <- Map.toList byPolygon]
+    byPolygon = Map.fromListWith (flip (<>)) [(p, [side]) | side@(SideName p _) <- statedSides scene]
+
+-- | The matrix, 800 pixels wide: rows from above, columns from the left, in the order given; darker is more, on a
+-- logarithmic scale. An entry that is 0 has no cell.
+--
+-- Layers, from the bottom: @groups@, lines between groups; @cells@, squares named @0.1 2.3@ by row and column; @frame@;
+-- @labels@, of all rows and columns where they have room, else of the groups that have; @bar@ and @legend@.
+--
+-- /Degenerate cases/ an entry that is given as 0, because it is too small for a Double, is as light as a cell can be.
+-- Groups are not told apart where they are less than four pixels wide on the average. A matrix without rows is an empty
+-- square.
+--
+-- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log m) for m entries, besides labels.
+--
+-- /Laws/ as many cells as entries, none of which share a point inside both; all cells are squares of one size; a larger
+-- value is not lighter; no line crosses a cell; no label covers anything.
+matrixDrawing :: Ord thing => Matrix thing -> Drawing
+matrixDrawing matrix =
+  Drawing
+    { drawingTitle = matrixTitle matrix
+    , drawingDescription =
+        "A matrix with a square for each entry that is not zero, the darker the larger: "
+          <> Text.intercalate ", " facts
+          <> "."
+    , drawingWidth = canvasWidth
+    , drawingHeight = height
+    , drawingLayers =
+        filter (not . null . layerMarks) $
+          [ Layer "groups" Sparse (map groupLine (gapsOf columns) <> map groupLineAcross (gapsOf rows))
+          , Layer "cells" (densityOf (length cells)) cells
+          , Layer "frame" Sparse [plain Axis (boxRegion (Box left bottom right top))]
+          , Layer "labels" Sparse (labels <> axisTitles)
+          , Layer "bar" Sparse barCells
+          , Layer "legend" Sparse (titleMark height (matrixTitle matrix) : barMarks <> blankMarks <> captions)
+          ]
+    }
+  where
+    entries = matrixEntries matrix
+    values = [value | (_, _, value) <- entries]
+    scale = fitted Logarithmic values
+
+    -- How large a cell is, and how wide the gaps between groups.
+    room = canvasWidth - leftMargin - 2 * sideMargin - 14
+    most = max (total (matrixRows matrix)) (total (matrixColumns matrix))
+    gapCount = fromIntegral (max 0 (max (length (matrixRows matrix)) (length (matrixColumns matrix)) - 1))
+    gap = if room >= 4 * gapCount then min 2 (0.1 * room / max 1 gapCount) else 0
+    cell = wholeIfLarge (min 30 ((room - gap * gapCount - 2 * inset) / fromIntegral (max 1 most)))
+    wholeIfLarge c = if c >= 4 then fromIntegral (floor c :: Int) else c
+    columns = arranged cell gap (matrixColumns matrix)
+    rows = arranged cell gap (matrixRows matrix)
+    across line = lineLength line + 2 * inset
+    left = leftMargin + (room - across columns) / 2
+    right = left + across columns
+    bottom = footHeight
+    top = bottom + across rows
+    height = top + 30 + 40 + 14
+
+    cells = map snd (sortOn fst [(shade, cellMark shade at) | (at, shade) <- placed])
+    placed =
+      [ ((row, column, x, y), shadeOf MoreIsDarker scale value)
+      | (row, column, value) <- entries
+      , Just x <- [Map.lookup column (lineStarts columns)]
+      , Just y <- [Map.lookup row (lineStarts rows)]
+      ]
+    cellMark shade (row, column, x, y) =
+      Mark (matrixName matrix row <> " " <> matrixName matrix column) (Cell shade) $
+        boxRegion (Box (left + inset + x) (top - inset - y - cell) (left + inset + x + cell) (top - inset - y))
+    gapsOf line = [s - gap / 2 | gap > 0, s <- drop 1 (map spanStart (lineSpans line))]
+    groupLine s = plain Reference (Polyline [Place (left + inset + s) bottom, Place (left + inset + s) top])
+    groupLineAcross s = plain Reference (Polyline [Place left (top - inset - s), Place right (top - inset - s)])
+
+    names line groups
+      | fits = [Span (matrixName matrix thing) s (s + cell) | group <- groups, thing <- groupMembers group, Just s <- [at thing]]
+      | otherwise = lineSpans line
+      where
+        at thing = Map.lookup thing (lineStarts line)
+    fits = and [textWidth TickLabel (matrixName matrix thing) + 3 <= cell | g <- matrixColumns matrix, thing <- groupMembers g]
+    labels = apart (map columnLabel (names columns (matrixColumns matrix))) <> apart (map rowLabel (names rows (matrixRows matrix)))
+    columnLabel s = labelMark s (Label MiddleAnchor (Place (left + inset + spanMiddle s) (top + 6)))
+    rowLabel s = labelMark s (Label EndAnchor (Place (left - 5) (top - inset - spanMiddle s - 0.36 * textSize TickLabel)))
+    labelMark s shape = Mark (spanLabel s) TickLabel (shape (spanLabel s))
+    axisTitles =
+      [ plain AxisTitle (Label MiddleAnchor (Place ((left + right) / 2) (top + 22)) "to")
+      , plain AxisTitle (Label EndAnchor (Place (left - 5) (top + 22)) "from")
+      ]
+
+    captionWidth = canvasWidth - 2 * sideMargin
+    captionRows = captionLines sideMargin 14 captionWidth facts
+    footHeight = 14 + rowHeight * fromIntegral (length captionRows) + 44
+    barTop = footHeight - 14
+    (barLeft, barBottom) = (sideMargin + 110, barTop - 12)
+    (barCells, barMarks') = colourBar MoreIsDarker scale (Box barLeft barBottom (barLeft + 404) barTop)
+    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barBottom + 2)) (shortened Caption 100 (matrixQuantity matrix))) : barMarks'
+    blankMarks = legend (barLeft + 404 + 50) (barTop + 3.5) 200 [Entry (regionSwatch Axis) "exactly 0"]
+    captions = captionLines sideMargin (14 + rowHeight * fromIntegral (length captionRows - 1) - 4) captionWidth facts
+    facts =
+      [ Text.pack (show (total (matrixRows matrix))) <> " " <> matrixThings matrix <> " in "
+          <> Text.pack (show (length (matrixRows matrix)))
+          <> " "
+          <> matrixGroups matrix
+      , counted (length entries) "entry is not 0" "entries are not 0"
+          <> " (" <> percentage (length entries) (total (matrixRows matrix) * total (matrixColumns matrix)) <> ")"
+      ]
+        <> [ "from " <> shortNumber (minimum values) <> " to " <> shortNumber (maximum values)
+           | not (null values)
+           ]
+
+-- | Room for labels to the left, room between the frame and the cells.
+leftMargin, inset :: Double
+leftMargin = 50
+inset = 1
+
+total :: [Group thing] -> Int
+total = sum . map (length . groupMembers)
+
+percentage :: Int -> Int -> Text
+percentage part whole = Text.pack (showFFloat (Just 1) (100 * fromIntegral part / fromIntegral (max 1 whole) :: Double) " %")
+
+-- | Few digits are enough for a figure.
+shortNumber :: Double -> Text
+shortNumber v = Text.replace "-" "−" (Text.pack (showGFloat (Just 3) v ""))
+
+-- | Where rows or columns lie, from their beginning.
+data Line thing = Line
+  { lineStarts :: !(Map.Map thing Double)
+  , lineSpans :: ![Span]
+  , lineLength :: !Double
+  }
+
+-- | What a group, or a thing, takes of it.
+data Span = Span {spanLabel :: !Text, spanStart :: !Double, spanEnd :: !Double}
+
+spanMiddle :: Span -> Double
+spanMiddle s = (spanStart s + spanEnd s) / 2
+
+-- | Things one behind the other, each as wide as a cell, with gaps between groups.
+arranged :: Ord thing => Double -> Double -> [Group thing] -> Line thing
+arranged cell gap groups =
+  Line
+    { lineStarts = Map.fromList (concat (zipWith starts offsets groups))
+    , lineSpans = [Span (groupLabel g) from (from + width g) | (from, g) <- zip offsets groups]
+    , lineLength = max cell (sum (map width groups) + gap * fromIntegral (max 0 (length groups - 1)))
+    }
+  where
+    width g = cell * fromIntegral (length (groupMembers g))
+    offsets = scanl (\s g -> s + width g + gap) 0 groups
+    starts from g = [(thing, from + cell * k) | (k, thing) <- zip [0 ..] (groupMembers g)]
+
+-- | Those labels that have room beside others: the last first, which are likeliest to be read, then the others in order.
+apart :: [Mark] -> [Mark]
+apart marks = map snd (sortOn fst (foldl add [] (sortOn (Down . fst) outer <> inner)))
+  where
+    (inner, outer) = splitAt (length marks - 2) (zip [0 :: Int ..] marks)
+    add kept (k, mark)
+      | and [not (boxesMeet a (widened 1.5 b)) | Just a <- [textBox mark], (_, other) <- kept, Just b <- [textBox other]] =
+        (k, mark) : kept
+      | otherwise = kept
