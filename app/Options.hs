@@ -324,7 +324,14 @@ figureKind = (\name from mesh -> from >>= combined name mesh) <$> figureName <*>
   where
     figureName =
       argument
-        (oneOf [("scene", PlainFigure SceneFigure), ("dual", PlainFigure DualFigure), ("matrix", PlainFigure MatrixFigure), ("view", OfView), ("mesh", OfMesh)])
+        ( oneOf
+            [ ("scene", PlainFigure SceneFigure)
+            , ("dual", PlainFigure DualFigure)
+            , ("matrix", PlainFigure MatrixFigure)
+            , ("view", OfView)
+            , ("mesh", OfMesh)
+            ]
+        )
         ( metavar "FIGURE"
             <> help
               "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \

@@ -1,7 +1,7 @@
 -- | A perceptually uniform scale of colours, from dark to bright.
 --
--- The scale is a helix in the space OKLab: lightness rises, and hue turns, at constant rates, and chroma stays the same.
--- So equal steps are equally far apart, and whoever does not see the hues still sees the order.
+-- The scale is a helix in the space OKLab: lightness rises and hue turns at constant rates, chroma stays the same. So
+-- equal steps are equally far apart, and whoever does not see the hues still sees the order.
 --
 -- /Source/ B. Ottosson, A perceptual color space for image processing, 2020 (OKLab); IEC 61966-2-1 (sRGB).
 module Visibility.Draw.Colour

@@ -151,7 +151,7 @@ data Style
   | -- | The edge of bands.
     BandEdge
   | -- | The values along a side.
-    Profile
+    ProfileLine
   | -- | Points of a plot that belong together, and the line that joins them.
     Series1
   | Series2
@@ -295,7 +295,7 @@ strokeWidth density style = case style of
   SeeingSide -> by 5.4 4.6 3.4 2.4
   Arrow -> 2
   BandEdge -> by 0.6 0.4 0.2 0.1
-  Profile -> 1.2
+  ProfileLine -> 1.2
   ViewpointDot -> 1.6
   DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
   Axis -> 1

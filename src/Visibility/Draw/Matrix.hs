@@ -14,7 +14,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Numeric (showFFloat, showGFloat)
+import Numeric (showFFloat)
 import Visibility.Draw.Drawing
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
@@ -135,14 +135,20 @@ matrixDrawing matrix =
     groupLineAcross s = plain Reference (Polyline [Place left (top - inset - s), Place right (top - inset - s)])
 
     names line groups
-      | fits = [Span (matrixName matrix thing) s (s + cell) | group <- groups, thing <- groupMembers group, Just s <- [at thing]]
+      | fits =
+        [ Span (matrixName matrix thing) s (s + cell)
+        | thing <- concatMap groupMembers groups
+        , Just s <- [Map.lookup thing (lineStarts line)]
+        ]
       | otherwise = lineSpans line
-      where
-        at thing = Map.lookup thing (lineStarts line)
-    fits = and [textWidth TickLabel (matrixName matrix thing) + 3 <= cell | g <- matrixColumns matrix, thing <- groupMembers g]
-    labels = apart (map columnLabel (names columns (matrixColumns matrix))) <> apart (map rowLabel (names rows (matrixRows matrix)))
+    fits = all (\thing -> textWidth TickLabel (matrixName matrix thing) + 3 <= cell) across'
+    across' = concatMap groupMembers (matrixColumns matrix)
+    labels =
+      apart (map columnLabel (names columns (matrixColumns matrix)))
+        <> apart (map rowLabel (names rows (matrixRows matrix)))
     columnLabel s = labelMark s (Label MiddleAnchor (Place (left + inset + spanMiddle s) (top + 6)))
-    rowLabel s = labelMark s (Label EndAnchor (Place (left - 5) (top - inset - spanMiddle s - 0.36 * textSize TickLabel)))
+    rowLabel s = labelMark s (Label EndAnchor (Place (left - 5) (onMiddle (top - inset - spanMiddle s))))
+    onMiddle y = y - 0.36 * textSize TickLabel
     labelMark s shape = Mark (spanLabel s) TickLabel (shape (spanLabel s))
     axisTitles =
       [ plain AxisTitle (Label MiddleAnchor (Place ((left + right) / 2) (top + 22)) "to")
@@ -154,8 +160,9 @@ matrixDrawing matrix =
     footHeight = 14 + rowHeight * fromIntegral (length captionRows) + 44
     barTop = footHeight - 14
     (barLeft, barBottom) = (sideMargin + 110, barTop - 12)
-    (barCells, barMarks') = colourBar MoreIsDarker scale (Box barLeft barBottom (barLeft + 404) barTop)
-    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barBottom + 2)) (shortened Caption 100 (matrixQuantity matrix))) : barMarks'
+    (barCells, barTicks) = colourBar MoreIsDarker scale (Box barLeft barBottom (barLeft + 404) barTop)
+    barName = shortened Caption 100 (matrixQuantity matrix)
+    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barBottom + 2)) barName) : barTicks
     blankMarks = legend (barLeft + 404 + 50) (barTop + 3.5) 200 [Entry (regionSwatch Axis) "exactly 0"]
     captions = captionLines sideMargin (14 + rowHeight * fromIntegral (length captionRows - 1) - 4) captionWidth facts
     facts =
@@ -179,11 +186,9 @@ total :: [Group thing] -> Int
 total = sum . map (length . groupMembers)
 
 percentage :: Int -> Int -> Text
-percentage part whole = Text.pack (showFFloat (Just 1) (100 * fromIntegral part / fromIntegral (max 1 whole) :: Double) " %")
-
--- | Few digits are enough for a figure.
-shortNumber :: Double -> Text
-shortNumber v = Text.replace "-" "−" (Text.pack (showGFloat (Just 3) v ""))
+percentage part whole = Text.pack (showFFloat (Just 1) share " %")
+  where
+    share = 100 * fromIntegral part / fromIntegral (max 1 whole) :: Double
 
 -- | Where rows or columns lie, from their beginning.
 data Line thing = Line
@@ -211,12 +216,12 @@ arranged cell gap groups =
     offsets = scanl (\s g -> s + width g + gap) 0 groups
     starts from g = [(thing, from + cell * k) | (k, thing) <- zip [0 ..] (groupMembers g)]
 
--- | Those labels that have room beside others: the last first, which are likeliest to be read, then the others in order.
+-- | Those labels that have room beside others: the last two first, which are of what surrounds all else, then the
+-- others in order.
 apart :: [Mark] -> [Mark]
 apart marks = map snd (sortOn fst (foldl add [] (sortOn (Down . fst) outer <> inner)))
   where
     (inner, outer) = splitAt (length marks - 2) (zip [0 :: Int ..] marks)
     add kept (k, mark)
-      | and [not (boxesMeet a (widened 1.5 b)) | Just a <- [textBox mark], (_, other) <- kept, Just b <- [textBox other]] =
-        (k, mark) : kept
-      | otherwise = kept
+      | or [boxesMeet a (widened 1.5 b) | Just a <- [textBox mark], Just b <- map (textBox . snd) kept] = kept
+      | otherwise = (k, mark) : kept

@@ -164,7 +164,7 @@ look density style = case style of
   Cell shade -> Look (Just (hexText shade)) Nothing []
   Band shade -> Look (Just (hexText shade)) Nothing []
   BandEdge -> line dark
-  Profile -> line dark
+  ProfileLine -> line dark
   Series1 -> line "#1f1f1f"
   Series2 -> line "#1f62a8"
   Series3 -> line "#b3122a"

@@ -5,6 +5,7 @@ module Visibility.Draw.Scale
     roundStep
   , multiplesWithin
   , decimalText
+  , shortNumber
   , roundedTo
   , thinned
     -- * Conversions
@@ -73,6 +74,19 @@ decimalText x
     point = length figures + e
     minus = if point < 1 then "−" else ""
     mantissaRest = if length figures > 1 then '.' : drop 1 figures else ""
+
+-- | A number to about three digits, as captions have it.
+--
+-- >>> map shortNumber [0.41421356, 1, 1/12345, 0]
+-- ["0.414","1","8.1e−5","0"]
+--
+-- /Requires/ a number that is not infinite.
+shortNumber :: Double -> Text
+shortNumber v
+  | v == 0 = decimalText 0
+  | otherwise = decimalText (roundedTo step (toRational v))
+  where
+    step = 10 ^^ (floor (logBase 10 (abs v)) - 2 :: Int)
 
 -- | The Double next to a quotient. /Requires/ a divisor other than 0.
 quotient :: Integer -> Integer -> Double

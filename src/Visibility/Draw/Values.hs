@@ -6,6 +6,7 @@ module Visibility.Draw.Values
   , fitted
   , placeOn
   , ticks
+  , ticksAcross
     -- * Colours
   , Tone (..)
   , shadeOf
@@ -27,8 +28,9 @@ data Values = Values !Scaling !Double !Double
 
 -- | The scale that some values just fit on. A linear one begins at 0.
 --
--- /Degenerate cases/ values that are not positive, or infinite, do not count; if there are no others, a linear scale ends
--- at 1 and a logarithmic one is around 1. A logarithmic scale spans at least a factor of ten, from the greatest value downwards.
+-- /Degenerate cases/ values that are not positive, or infinite, do not count; if there are no others, a linear scale
+-- ends at 1 and a logarithmic one is around 1. A logarithmic scale spans at least a factor of ten, from the greatest
+-- value downwards.
 fitted :: Scaling -> [Double] -> Values
 fitted scaling values = case (scaling, filter (\v -> v > 0 && not (isInfinite v)) values) of
   (Linear, []) -> Values Linear 0 1
@@ -55,17 +57,36 @@ placeOn (Values scaling low high) value = case scaling of
       | t > 0 = t
       | otherwise = 0
 
--- | Round values on a scale, from the least upwards, with their places and texts; about as many as asked for.
+-- | Round values on a scale, from the least upwards, with their places and texts; at most so many steps between them.
+--
+-- /Requires/ at least one step.
 ticks :: Int -> Values -> [(Double, Text)]
 ticks most (Values scaling low high) = case scaling of
-  Linear -> [tick value | value <- multiplesWithin (roundStep (toRational high / fromIntegral most)) 0 (toRational high)]
+  Linear -> map tick (multiplesWithin (stepAtLeast (toRational high / fromIntegral most)) 0 (toRational high))
   Logarithmic
     | last' - first >= 2 -> [tick (10 ^^ k) | k <- thinned most first last']
-    | otherwise -> [tick value | k <- [first - 1 .. last'], m <- [1, 2, 5], let value = m * 10 ^^ k, within value]
+    | otherwise -> map tick (fewEnough (map leading [[1, 2, 5], [1, 3], [1]]))
   where
+    -- The reciprocals of round steps are round.
+    stepAtLeast x = 1 / roundStep (1 / x)
     (first, last') = (ceiling low, floor high) :: (Int, Int)
-    tick value = (placeOn (Values scaling low high) (fromRational value), decimalText value)
+    leading digits = [value | k <- [first - 1 .. last'], m <- digits, let value = m * 10 ^^ k, within value]
     within value = let l = logBase 10 (fromRational value) in l >= low && l <= high
+    fewEnough choices = case filter ((<= most + 1) . length) choices of
+      found : _ -> found
+      [] -> []
+    tick value = (placeOn (Values scaling low high) (fromRational value), decimalText value)
+
+-- | Round values on a scale that is so many pixels wide: as many, up to eight, as have room for their texts beside each
+-- other.
+ticksAcross :: Double -> Values -> [(Double, Text)]
+ticksAcross width values = case filter fits [ticks most values | most <- [8, 7 .. 1]] of
+  found@(_ : _) : _ -> found
+  _ -> take 1 (ticks 1 values)
+  where
+    fits found = and (zipWith apart found (drop 1 found))
+    apart (s, text) (s', text') =
+      (s' - s) * width >= (textWidth TickLabel text + textWidth TickLabel text') / 2 + 4
 
 -- | What bright colours stand for.
 data Tone
@@ -89,8 +110,9 @@ toned MoreIsDarker = opposite
 --
 -- /Shape/ cells, then what explains them, which takes 20 pixels below the box and some to its left and right.
 colourBar :: Tone -> Values -> Box -> ([Mark], [Mark])
-colourBar tone values (Box l b r t) = (zipWith cell [0 ..] shades, frame : concatMap tickMarks (ticks 6 values))
+colourBar tone values (Box l b r t) = (zipWith cell [0 ..] shades, frame : concatMap tickMarks found)
   where
+    found = ticksAcross (r - l) values
     step = (r - l) / fromIntegral (length shades)
     cell k shade = plain (Cell (toned tone shade)) (boxRegion (Box (l + step * k) b (l + step * (k + 1)) t))
     frame = plain Axis (boxRegion (Box l b r t))

@@ -33,7 +33,7 @@ spec = do
     it "a larger factor is not lighter" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-            coloured = Map.fromList [(markName mark, shade) | mark@(Mark _ (Cell shade) _) <- marksIn "cells" (drawn scene)]
+            coloured = Map.fromList [(name, shade) | Mark name (Cell shade) _ <- marksIn "cells" (drawn scene)]
             byValue = [Map.lookup (factorName factor) coloured | factor <- sortOn factorValue (exactly scene)]
          in counterexample (show byValue) (and (zipWith (>=) byValue (drop 1 byValue)))
     it "no label covers anything, and nothing leaves the canvas" $

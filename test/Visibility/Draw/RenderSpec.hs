@@ -78,8 +78,9 @@ spec = do
     figures =
       [ ("scene", \scene -> sceneDrawing scene (vertices scene))
       , ("dual", \scene -> dualDrawing scene (events scene (vertices scene)))
-      , ("matrix", \scene -> matrixDrawing (factorMatrix scene (nearestFactors scene (measures scene (vertices scene)))))
+      , ("matrix", \scene -> matrixDrawing (factorMatrix scene (factors scene)))
       ]
+    factors scene = nearestFactors scene (measures scene (vertices scene))
     decimalRgb hex = case map digitToInt (drop 1 hex) of
       [a, b, c, d, e, f] -> "rgb(" <> intercalate "," (map show [16 * a + b, 16 * c + d, 16 * e + f]) <> ")"
       _ -> "no colour"

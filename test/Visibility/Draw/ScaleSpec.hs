@@ -43,6 +43,10 @@ spec = do
     it "keeps all digits of a long integer" $
       decimalText (12345678901234567890123456789012345678901 / 10)
         `shouldBe` Text.pack "1234567890123456789012345678901234567890.1"
+  describe "shortNumber" $
+    it "keeps three digits" $
+      map (Text.unpack . shortNumber) [0.41421356, 0.99996, 1, 1 / 12345, 0, 2.5e-9, -123456, 5e-324]
+        `shouldBe` ["0.414", "1", "1", "8.1e−5", "0", "2.5e−9", "−123000", "4.94e−324"]
   describe "directionAngle" $ do
     it "is exact at the ends of the half turn" $
       map directionAngle [Direction 0 1, Direction 0 (-1), Direction 7 0] `shouldBe` [pi / 2, -pi / 2, 0]

@@ -31,13 +31,13 @@ spec = do
   describe "its ticks" $ do
     it "rise, are on it, and are not too many, but several" $
       forAll scalings $ \scaling ->
-        forAll (listOf anyValue) $ \values ->
-          let places = map fst (ticks 6 (fitted scaling values))
+        forAll ((,) <$> listOf anyValue <*> choose (4, 9)) $ \(values, most) ->
+          let places = map fst (ticks most (fitted scaling values))
            in counterexample (show places) $
                 sort places == places
                   && all (\t -> t >= 0 && t <= 1) places
                   && length places >= 2
-                  && length places <= 16
+                  && length places <= most + 1
     it "are where their values are" $ do
       let linear = fitted Linear [0.3, 2]
           logarithmic = fitted Logarithmic [0.0009, 1]
@@ -45,6 +45,17 @@ spec = do
       map (Text.unpack . snd) (ticks 4 logarithmic) `shouldBe` ["0.001", "0.01", "0.1", "1"]
       for_ [linear, logarithmic] $ \scale ->
         [text | (t, text) <- ticks 4 scale, not (close t (placeOn scale (read (Text.unpack text))))] `shouldBe` []
+    it "keep their texts apart across a width, and are among those without one" $
+      forAll scalings $ \scaling ->
+        forAll ((,) <$> listOf anyValue <*> choose (60, 900)) $ \(values, width) ->
+          let scale = fitted scaling values
+              found = ticksAcross width scale
+              boxes = [textBoxAt TickLabel MiddleAnchor (Place (t * width) 0) text | (t, text) <- found]
+           in conjoin
+                [ counterexample (show boxes) (not (or (zipWith boxesMeet boxes (drop 1 boxes))))
+                , counterexample "no tick" (not (null boxes))
+                , counterexample "other ticks" (or [take (length found) (ticks most scale) == found | most <- [1 .. 8]])
+                ]
   describe "the colour of a value" $
     it "is monotone in it, in the direction of the tone" $
       forAll scalings $ \scaling ->

@@ -1,0 +1,144 @@
+-- | Bands along sides, on the face that is seen: as wide as free space beside the side lets them be.
+module Visibility.Draw.Band
+  ( Strip
+  , stripLong
+  , stripOf
+  , stripOutline
+  , stripPart
+  , stripRays
+  , stripPlace
+  , outwardPlace
+  ) where
+
+import Visibility.Draw.Drawing
+import Visibility.Exact.Predicate (Turn (..), turn)
+import Visibility.Scene
+
+-- | Where a band lies along a side: the side's start, the unit vectors along it and out into free space, its length,
+-- the width of the band, and how steeply the ends are cut. All in pixels.
+data Strip = Strip
+  { stripStart :: !Place
+  , stripAlong :: !(Double, Double)
+  , stripLong :: !Double
+  , stripWide :: !Double
+  , startSlope :: !(Maybe Double)
+  , endSlope :: !(Maybe Double)
+  }
+
+-- | The strip of a side, of at most a width.
+--
+-- Where free space is less than 180° wide at an end, it is cut along the bisector, so that the bands of both sides
+-- meet.
+-- Where something is in front of the side, the strip takes at most half of the way there.
+--
+-- /Degenerate cases/ what touches the side's ends is not in front of it: the bisector lies between. Sides that are no
+-- longer than the least difference of places have strips without area.
+--
+-- /Cost/ O(n). /Laws/ a strip does not cross into the solid.
+stripOf :: Scene -> (CornerId -> Place) -> Double -> SideId -> Strip
+stripOf scene place most side =
+  Strip
+    { stripStart = from
+    , stripAlong = along
+    , stripLong = long
+    , stripWide = minimum (most : map (/ 2) (concatMap inFront (sides scene)))
+    , startSlope = slopeAt start
+    , endSlope = slopeAt end
+    }
+  where
+    (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
+    (from@(Place x0 y0), Place x1 y1) = (place start, place end)
+    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
+    along@(ux, uy)
+      | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
+      | otherwise = (0, 0)
+    slopeAt corner
+      | isWallEnd scene corner || wide >= pi = Nothing
+      | otherwise = Just (tan (wide / 2))
+      where
+        wide = freeAngle place (previousCorner scene corner) corner (nextCorner scene corner)
+
+    -- How far in front of the side another one is, where it is. What is behind is decided exactly: the other face of
+    -- a wall is in the same place.
+    inFront other
+      | other == side || any touches ends || not (any isRight ends) = []
+      | otherwise = [max 0 (min h h') | (h, h') <- between (local (place p)) (local (place q)), max h h' > 0]
+      where
+        (p, q) = (sideStart other, sideEnd scene other)
+        ends = [p, q]
+    touches corner = samePlace scene corner start || samePlace scene corner end
+    isRight (CornerId c) = turn (scenePoints scene) a b c == RightTurn
+    local (Place x y) = ((x - x0) * ux + (y - y0) * uy, (x - x0) * uy - (y - y0) * ux)
+    -- The heights at the ends of the part of a segment that is beside the side.
+    between (s, h) (s', h')
+      | max s s' < 0 || min s s' > long = []
+      | s == s' = [(h, h')]
+      | otherwise = [(at (kept s), at (kept s'))]
+      where
+        kept = max 0 . min long
+        at t = h + (h' - h) * (t - s) / (s' - s)
+
+-- | How wide free space is at a corner, from the preceding side counter-clockwise to the following one.
+freeAngle :: (CornerId -> Place) -> CornerId -> CornerId -> CornerId -> Double
+freeAngle place before corner after = let a = bearing after - bearing before in if a <= 0 then a + 2 * pi else a
+  where
+    Place x y = place corner
+    bearing c = let Place x' y' = place c in atan2 (y' - y) (x' - x)
+
+-- | A place by the distance along the side and that out into free space.
+outwardPlace :: Strip -> Double -> Double -> Place
+outwardPlace strip s out = Place (x + s * ux + out * uy) (y + s * uy - out * ux)
+  where
+    Place x y = stripStart strip
+    (ux, uy) = stripAlong strip
+
+-- | The place just beyond the strip by a position on the side, 0 at its start and 1 at its end.
+stripPlace :: Strip -> Double -> Place
+stripPlace strip s = outwardPlace strip (s * stripLong strip) (stripWide strip + 1)
+
+-- | The whole strip as a region.
+stripOutline :: Strip -> [Place]
+stripOutline strip = stripPart strip 0 1
+
+-- | The part of a strip between two positions on the side, 0 at its start and 1 at its end.
+stripPart :: Strip -> Double -> Double -> [Place]
+stripPart strip from to = map (uncurry (outwardPlace strip)) (cutEnd (cutStart whole))
+  where
+    long = stripLong strip
+    (s, s') = (from * long, to * long)
+    whole = [(s, 0), (s', 0), (s', stripWide strip), (s, stripWide strip)]
+    cutStart = maybe id (\slope -> keptWhere (\(t, h) -> slope * t - h)) (startSlope strip)
+    cutEnd = maybe id (\slope -> keptWhere (\(t, h) -> slope * (long - t) - h)) (endSlope strip)
+
+-- | The part of a convex region where a linear function is not negative.
+keptWhere :: ((Double, Double) -> Double) -> [(Double, Double)] -> [(Double, Double)]
+keptWhere f corners' = concat (zipWith piece corners' (drop 1 corners' <> take 1 corners'))
+  where
+    piece p q
+      | f p >= 0 && f q >= 0 = [p]
+      | f p >= 0 = [p, crossing p q]
+      | f q >= 0 = [crossing p q]
+      | otherwise = []
+    crossing p@(x, y) q@(x', y') = let t = f p / (f p - f q) in (x + t * (x' - x), y + t * (y' - y))
+
+-- | Short rays for a side that gives light, beyond its band of at most a width; where there is no room beyond, upon it.
+--
+-- /Laws/ at least one; they do not cross into the solid.
+stripRays :: Double -> Strip -> [[Place]]
+stripRays most strip
+  | stripWide strip < most || null free = [ray middle (0.2 * room) (0.9 * room)]
+  | otherwise = [ray s (stripWide strip + 1.5) far | s <- free]
+  where
+    ray s near end = [outwardPlace strip s near, outwardPlace strip s end]
+    -- What is in front is at least twice the width away.
+    far = 1.75 * stripWide strip
+    (long, middle) = (stripLong strip, stripLong strip / 2)
+    room = minimum (stripWide strip : [slope * middle | Just slope <- [startSlope strip, endSlope strip]])
+    count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
+    free =
+      [ s
+      | k <- takeWhile (< count) (map (+ 0.5) [0 ..])
+      , let s = long * k / count
+      , and [slope * s > far | Just slope <- [startSlope strip]]
+      , and [slope * (long - s) > far | Just slope <- [endSlope strip]]
+      ]

@@ -1,0 +1,251 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The figure of light: how bright each element of each side is.
+module Visibility.Draw.Radiosity
+  ( RadiosityFigure (..)
+  , LitElement (..)
+  , radiosityDrawing
+  ) where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, mapMaybe)
+import qualified Data.Set as Set
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Visibility.Draw.Band
+import Visibility.Draw.Drawing
+import Visibility.Draw.Labels
+import Visibility.Draw.Legend
+import Visibility.Draw.Profile
+import Visibility.Draw.Scale
+import Visibility.Draw.Scenery
+import Visibility.Draw.Values
+import Visibility.Exact.Point
+import Visibility.Exact.Rounding (nearestDouble)
+import Visibility.FormFactor (sideLength)
+import Visibility.Scene
+import Visibility.Scene.Raw (Material (..))
+
+-- | What is shown, and how.
+data RadiosityFigure = RadiosityFigure
+  { radiosityQuantity :: !Text
+  -- ^ What the values are, such as @radiosity B@.
+  , radiosityScaling :: !Scaling
+  , radiosityProfiles :: ![SideName]
+  -- ^ The sides that have a profile, in this order.
+  , radiosityElements :: ![LitElement]
+  }
+  deriving (Eq, Show)
+
+-- | A part of a side of the file, with a value that holds on all of it.
+data LitElement = LitElement
+  { elementSide :: !SideName
+  , elementFrom :: !Rational
+  -- ^ Where it begins on the side, 0 at the side's first corner and 1 at its second.
+  , elementTo :: !Rational
+  , elementEnds :: !(Point, Point)
+  -- ^ The same in the file's coordinates.
+  , elementValue :: !Double
+  }
+  deriving (Eq, Show)
+
+-- | The scene to scale, 800 pixels wide, with the elements as bands beside their sides in free space, brighter where
+-- there is more light; below it a panel for each profile.
+--
+-- Layers, from the bottom: @outside@ and @room@ of an enclosure; @bands@, named by their sides; @edges@, the outlines
+-- of bands; @polygons@, named as in output; @lights@, rays at the sides that give light; @leaders@, @labels@ of
+-- polygons and of the sides with profiles; of the profiles @areas@, @profiles@, @axes@, @ticks@; @bar@ and @legend@.
+--
+-- A linear scale ends at the greatest value of what gives no light of its own; light sources have the brightest colour.
+--
+-- /Degenerate cases/ each face of a thin wall has a band of its own. Bands are thinner where there is little room. An
+-- element on a part of a side that is covered has no band; one that is covered in part has one for each part that is
+-- not. On a logarithmic scale, what is dark has the colour of the least value. A profile of a side without elements is
+-- empty; there is none of a name that the scene has not.
+--
+-- /Requires/ elements of the scene's sides. /Cost/ O(n²) for n sides, besides labels.
+--
+-- /Laws/ bands do not cross into the solid; a larger value is not darker; every polygon has exactly one mark; no label
+-- covers anything; nothing leaves the canvas.
+radiosityDrawing :: Scene -> RadiosityFigure -> Drawing
+radiosityDrawing scene figure =
+  Drawing
+    { drawingTitle = title
+    , drawingDescription = title <> ", the brighter the more: " <> Text.intercalate ", " facts <> "."
+    , drawingWidth = canvasWidth
+    , drawingHeight = height
+    , drawingLayers =
+        filter (not . null . layerMarks) $
+          groundLayers scene frame
+            <> [ Layer "bands" (densityOf (length bands)) bands
+               , Layer "edges" (polygonDensity scene) edges
+               , Layer "polygons" (polygonDensity scene) polygons
+               , Layer "lights" (polygonDensity scene) rays
+               , Layer "leaders" Sparse leaders
+               , Layer "labels" Sparse (inside <> labels)
+               , Layer "areas" Sparse (concatMap panelAreas panels)
+               , Layer "profiles" Sparse (concatMap panelLines panels)
+               , Layer "axes" Sparse (concatMap panelAxes panels)
+               , Layer "ticks" Sparse (concatMap panelLabels panels)
+               , Layer "bar" Sparse barCells
+               , Layer "legend" Sparse (titleMark height title : legendMarks <> scaleBar <> barMarks <> captions)
+               ]
+    }
+  where
+    title = quantity <> ": " <> fromMaybe "untitled scene" (sceneTitle scene)
+    quantity = radiosityQuantity figure
+    found = radiosityElements figure
+    shown = [element | (element, _, _) <- lit]
+    counting = countedValues scene (radiosityScaling figure) shown
+    scale = fitted (radiosityScaling figure) counting
+    shade = shadeOf MoreIsBrighter scale
+    beyond = maximum (0 : map elementValue shown)
+    frame = frameFor foot scene []
+    place = placeOf scene frame
+    polygons = polygonMarks scene frame
+
+    strips = Map.fromList [(side, stripOf scene place bandWidth side) | side <- sides scene]
+    lit = [(element, piece, part) | element <- found, (piece, part) <- uncoveredParts scene element]
+    -- In order along the sides, each a little below the next, since viewers smooth edges and would leave seams.
+    inOrder = sortOn (\(_, piece, (from, _)) -> (piece, from)) lit
+    bands =
+      [ Mark (Text.pack (sideText (elementSide element))) (Band (shade (elementValue element))) $
+          Region (stripPart strip (fromRational from) (belowNext strip (fromRational to)))
+      | (element, piece, (from, to)) <- inOrder
+      , Just strip <- [Map.lookup piece strips]
+      ]
+    edges =
+      [ Mark (Text.pack (sideText (sideName scene piece))) BandEdge (Region (stripOutline strip))
+      | piece <- Map.keys (Map.fromList [(piece, ()) | (_, piece, _) <- lit])
+      , Just strip <- [Map.lookup piece strips]
+      ]
+    rays =
+      [ Mark (Text.pack (sideText (sideName scene side))) LightRay (Polyline ray)
+      | (side, strip) <- Map.toList strips
+      , emission (sideMaterial scene side) > 0
+      , ray <- stripRays bandWidth strip
+      ]
+
+    -- Labels of polygons are inside them, where no band is.
+    inside = mapMaybe (polygonLabel (placeOfPoint scene frame) []) (scenePolygons scene)
+    obstruction =
+      Obstruction
+        { canvas = frameOutside frame
+        , lightLines = []
+        , walls = concatMap wideLines (polygons <> edges <> rays)
+        , taken = [box | Just box <- map textBox inside]
+        , clearance = 1.5
+        }
+    (labels, leaders, _) = placeLabels obstruction (map (sideRequest scene strips) chosen)
+    chosen = [side | side <- radiosityProfiles figure, Just _ <- [piecesOf scene side]]
+
+    panels =
+      [ profilePanel shade panelScale sideMargin (panelsTop - panelHeight * k) (canvasWidth - 2 * sideMargin) profile
+      | (k, profile) <- zip [0 ..] profiles
+      ]
+    -- One scale for all panels, so that they can be compared; lamps elsewhere do not press them down.
+    panelScale = fitted (radiosityScaling figure) [elementValue e | e <- found, elementSide e `elem` chosen]
+    profiles = map (profileOf scene figure) chosen
+
+    height = frameHeight frame + foot + 40
+    captionWidth = canvasWidth - 2 * sideMargin
+    legendWidth = captionWidth - 150
+    entries = fst (sceneryEntries scene) <> [Entry raySwatch "light source" | not (null (snd (sceneryEntries scene)))]
+    captionRows = length (captionLines 0 0 captionWidth facts)
+    foot = panelsTop + rowHeight * fromIntegral captionRows + 56 + legendHeight legendWidth entries
+    legendTop = foot - 6
+    legendMarks = legend sideMargin legendTop legendWidth entries
+    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
+    barTop = legendTop - legendHeight legendWidth entries - 8
+    barName = shortened Caption 200 quantity
+    barLeft = sideMargin + textWidth Caption barName + 12
+    (barCells, barTicks) = colourBar MoreIsBrighter scale (Box barLeft (barTop - 12) (barLeft + 404) barTop)
+    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barTop - 10)) barName) : barTicks
+    captions = captionLines sideMargin (barTop - 46) captionWidth facts
+    panelsTop = panelHeight * fromIntegral (length chosen)
+    facts =
+      [ counted (length (scenePolygons scene)) "polygon" "polygons"
+      , counted (length found) "element" "elements"
+      , case radiosityScaling figure of
+          Linear -> "linear scale"
+          Logarithmic -> "logarithmic scale"
+      ]
+        <> [ "light sources, up to " <> shortNumber beyond <> ", are beyond the scale"
+           | beyond > maximum (0 : counting)
+           ]
+
+-- | The values that the scale is made for: on a linear one light sources would leave all else in the dark, so they do
+-- not count unless there is nothing else.
+countedValues :: Scene -> Scaling -> [LitElement] -> [Double]
+countedValues scene scaling found = case scaling of
+  Linear | any (> 0) dark -> dark
+  _ -> map elementValue found
+  where
+    dark = [elementValue e | e <- found, not (Set.member (elementSide e) lights)]
+    lights = Set.fromList [sideName scene s | s <- sides scene, emission (sideMaterial scene s) > 0]
+
+-- | The width of a band that has room, in pixels.
+bandWidth :: Double
+bandWidth = 8
+
+-- | A position on a strip, moved a little onwards, but not beyond its end.
+belowNext :: Strip -> Double -> Double
+belowNext strip to
+  | stripLong strip > 0 = min 1 (to + 0.3 / stripLong strip)
+  | otherwise = to
+
+-- | The rays that mark a light, above a piece of its side.
+raySwatch :: Box -> [Mark]
+raySwatch (Box l b r t) =
+  plain Axis (Polyline [Place l b, Place r b])
+    : [plain LightRay (Polyline [Place x (b + 2.5), Place x t]) | k <- [1, 3, 5], let x = l + (r - l) * k / 6]
+
+-- | The uncovered pieces of its side that an element lies on, each with the part that it takes, 0 at the start of the
+-- piece and 1 at its end.
+uncoveredParts :: Scene -> LitElement -> [(SideId, (Rational, Rational))]
+uncoveredParts scene element =
+  [ (piece, (from, to))
+  | piece <- fromMaybe [] (piecesOf scene (elementSide element))
+  , let (a, b) = (cornerPoint scene (sideStart piece), cornerPoint scene (sideEnd scene piece))
+  , let (s, s') = (positionOn a b p, positionOn a b q)
+  , let (from, to) = (max 0 (min s s'), min 1 (max s s'))
+  , from < to
+  ]
+  where
+    (p, q) = elementEnds element
+    positionOn (Point ax ay) (Point bx by) (Point x y)
+      | ax /= bx = (x - ax) / (bx - ax)
+      | otherwise = (y - ay) / (by - ay)
+
+-- | The label of a side, beyond its band.
+sideRequest :: Scene -> Map.Map SideId Strip -> SideName -> Request
+sideRequest scene strips side = Request name SideLabel name seats
+  where
+    name = Text.pack (sideText side)
+    seats =
+      [ Seat here (outward strip) pi
+      | s <- [1 / 2, 1 / 3, 2 / 3, 1 / 6, 5 / 6]
+      , piece <- fromMaybe [] (piecesOf scene side)
+      , Just strip <- [Map.lookup piece strips]
+      , here <- [stripPlace strip s]
+      ]
+    outward strip =
+      let (Place x y, Place x' y') = (outwardPlace strip 0 0, outwardPlace strip 0 1) in atan2 (y' - y) (x' - x)
+
+-- | The values along a side.
+profileOf :: Scene -> RadiosityFigure -> SideName -> Profile
+profileOf scene figure side =
+  Profile
+    { profileName = name
+    , profileAcross = "distance along side " <> name
+    , profileUpwards = radiosityQuantity figure
+    , profileLength = nearestDouble (sideLength scene side)
+    , profileSteps =
+        [ Step (elementFrom e) (elementTo e) (elementValue e)
+        | e <- radiosityElements figure
+        , elementSide e == side
+        ]
+    }
+  where
+    name = Text.pack (sideText side)
