@@ -11,7 +11,7 @@ import Data.Char (isDigit)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
 import Data.Traversable (for)
 import System.Directory (doesFileExist, listDirectory)
