@@ -19,6 +19,8 @@ module Visibility.Mesh
   , breaksOf
   , meshSides
   , breakCount
+    -- * Elements
+  , module Visibility.Mesh.Element
     -- * Making them
   , discontinuityMesh
   , uniformMesh
@@ -28,7 +30,7 @@ module Visibility.Mesh
   , bounded
   , ElementCount
   , elementCount
-  , elementNumber
+  , countedElements
   ) where
 
 import Data.Function (on)
@@ -36,11 +38,12 @@ import Data.List (sortBy)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Ord (Down (..), comparing)
-import Data.Ratio (denominator, numerator, (%))
+import Data.Ratio ((%))
 import qualified Data.Vector as V
-import Visibility.Exact.Point (Point (..))
+import Visibility.Exact.Point (LatticePoint (..))
 import Visibility.Law (broken)
 import Visibility.Mesh.Bound
+import Visibility.Mesh.Element
 import Visibility.Mesh.Landing
 import Visibility.Mesh.Span
 import Visibility.Mesh.Type
@@ -62,8 +65,7 @@ discontinuityMesh :: Scene -> [Vertex] -> Mesh
 discontinuityMesh scene swept = Mesh scene (V.imap cut (pieceSpans scene))
   where
     found = landings scene swept
-    places = V.fromList (map (homogeneous . cornerPoint scene) (corners scene))
-    place (CornerId c) = places V.! c
+    place = cornerAt scene
     cut i piece = map breakPoint (NonEmpty.groupBy ((==) `on` fst) sorted)
       where
         s = SideId i
@@ -75,20 +77,11 @@ discontinuityMesh scene swept = Mesh scene (V.imap cut (pieceSpans scene))
     ordered casters@(_ :| []) = casters
     ordered casters = NonEmpty.sortWith (\caster -> (casterKind caster, casterNames scene caster)) casters
 
--- | A point (x/w, y/w) of the plane, w > 0: so mesh points keep denominators of their own.
-data Homogeneous = Homogeneous !Integer !Integer !Integer
-
-homogeneous :: Point -> Homogeneous
-homogeneous (Point x y) = Homogeneous (whole x) (whole y) w
-  where
-    w = denominator x `lcm` denominator y
-    whole q = numerator q * (w `div` denominator q)
-
 -- | The parameter of the point of a piece that lies on the line through two points, the ends of the piece being given.
 --
 -- /Requires/ that the line meets the piece strictly between its ends.
-alongSide :: Span -> Homogeneous -> Homogeneous -> Homogeneous -> Homogeneous -> Rational
-alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw)
+alongSide :: Span -> LatticePoint -> LatticePoint -> LatticePoint -> LatticePoint -> Rational
+alongSide piece from to (LatticePoint px py pw) (LatticePoint qx qy qw)
   | signum a /= signum b || a == 0 = broken "a line lands strictly inside a side" (show (a, b))
   | otherwise = case (spanStart piece, spanEnd piece) of
       (0, 1) -> a % (a + b)
@@ -99,8 +92,8 @@ alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw)
     (lx, ly, lw) = (py * qw - pw * qy, pw * qx - px * qw, px * qy - py * qx)
     a = above from * weight to
     b = negate (above to * weight from)
-    above (Homogeneous x y w) = lx * x + ly * y + lw * w
-    weight (Homogeneous _ _ w) = w
+    above (LatticePoint x y w) = lx * x + ly * y + lw * w
+    weight (LatticePoint _ _ w) = w
 
 -- | Each side of the file cut into so many equal parts, whatever covers it: points that are covered, or at an end of
 -- what is not, are no break points.
@@ -109,7 +102,7 @@ alongSide piece from to (Homogeneous px py pw) (Homogeneous qx qy qw)
 uniformMesh :: ElementCount -> Scene -> Mesh
 uniformMesh parts scene = Mesh scene (V.map cut (pieceSpans scene))
   where
-    n = toInteger (elementNumber parts)
+    n = toInteger (countedElements parts)
     cut piece = [BreakPoint t (pointOn piece t) EqualParts | k <- fromStart, let t = k % n]
       where
         (start, end) = (spanStart piece, spanEnd piece)

@@ -12,10 +12,6 @@ module Visibility.Radiosity
   , Shortfall (..)
   , radiosity
   , radiosityOfElements
-    -- * Elements
-  , Element (..)
-  , sideElements
-  , elementText
     -- * Energy
   , Balance (..)
   , balanceViolations
@@ -29,6 +25,7 @@ import Visibility.Exact.Interval
 import Visibility.Exact.Rounding (Digits, digitCount, digits, defaultDigits)
 import Visibility.FormFactor
 import Visibility.Law (Violation (..), broken)
+import Visibility.Mesh.Element
 import Visibility.Radiosity.Balance
 import Visibility.Radiosity.Certificate
 import Visibility.Radiosity.Solve
@@ -86,21 +83,21 @@ data Lit = Lit
 
 -- | The radiosities of the sides of a scene, each an element.
 radiosity :: Closeness -> Scene -> Measures -> Either Shortfall Radiosity
-radiosity closeness scene = radiosityOfElements closeness scene (sideElements scene)
+radiosity closeness = radiosityOfElements closeness . unrefined
 
--- | The radiosities of elements. The scene is that in which the elements are the sides; the materials are its own.
+-- | The radiosities of the elements of a mesh. The measures are those of the scene in which they are the sides.
 --
 -- /Degenerate cases/ an element that others cover in part counts for the part that is free, see Note [Radiosity of
 -- sides that are covered in part]; one that is all covered has its emission as radiosity. An element that no light
 -- leaves has exactly 0.
 --
--- /Requires/ one element for every side of the scene. /Cost/ O(factors) for each pass of Gauss–Seidel, and one product
+-- /Cost/ O(factors) for each pass of Gauss–Seidel, and one product
 -- of integers per factor for each round of correction.
 --
 -- /Laws/ bounds enclose the solution of B = E + ρ F B with the exact form factors. What is emitted is absorbed or lost
 -- to the sky, within the bounds; else a law is broken.
-radiosityOfElements :: Closeness -> Scene -> [Element] -> Measures -> Either Shortfall Radiosity
-radiosityOfElements closeness scene elements sums = do
+radiosityOfElements :: Closeness -> Refined -> Measures -> Either Shortfall Radiosity
+radiosityOfElements closeness cut@(Refined scene elements) sums = do
   Solution bounds passes <- solve target system
   let balance = balanceOf system bounds
   for_ (take 1 (balanceViolations balance)) $ \(Violation law details) -> broken law details
@@ -117,12 +114,12 @@ radiosityOfElements closeness scene elements sums = do
   where
     least = minimum (1 : [1 - reflectivity (statedMaterial scene (elementIn e)) | e <- elements])
     -- Roundings of single units grow by the number of elements, and by how often light is reflected.
-    placesFor bits = Places (bits + bitLength (toInteger (length elements)) + 2 * bitLength (ceiling (1 / least)))
+    placesFor bits = BinaryPlaces (bits + bitLength (toInteger (length elements)) + 2 * bitLength (ceiling (1 / least)))
     (system, target, shownDigits) = case closeness of
       WithinTolerance (Tolerance x) ->
-        (fromNearest (placesFor 128) scene elements (nearestFactors scene sums), x * 9 / 10, digitsFor x)
+        (fromNearest (placesFor 128) cut (nearestFactors scene sums), x * 9 / 10, digitsFor x)
       ToDigits wanted ->
-        ( fromExact (placesFor (10 * digitCount wanted `quot` 3 + 48)) scene elements (formFactors scene sums)
+        ( fromExact (placesFor (10 * digitCount wanted `quot` 3 + 48)) cut (formFactors scene sums)
         , 1 / 10 ^ (digitCount wanted + 1)
         , wanted
         )

@@ -52,6 +52,7 @@ module Visibility.Scene
   , sideRanks
   , piecesOf
   , sideSpan
+  , sideEnds
   , statedMaterial
   , uncovered
   , seenAs

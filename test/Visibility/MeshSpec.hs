@@ -113,7 +113,7 @@ spec = do
       property $ \(AnyScene s) ->
         forAll (choose (1, 12) `suchThatMap` elementCount) $ \parts ->
           let scene = sampleScene s
-              n = elementNumber parts
+              n = countedElements parts
               ends piece = sort (map (positionOn scene (sideName scene piece)) (endPoints scene piece))
               isFree side t = or [a < t && t < b | piece <- concat (piecesOf scene side), [a, b] <- [ends piece]]
               wanted side = [t | k <- [1 .. n - 1], let t = toInteger k % toInteger n, isFree side t]

@@ -13,6 +13,7 @@ import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding (Digits, defaultDigits, digits)
 import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
+import Visibility.Mesh.Element
 import Visibility.Radiosity
 import Visibility.Scene
 import Visibility.Scene.Raw

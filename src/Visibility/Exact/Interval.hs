@@ -1,6 +1,6 @@
 -- | Intervals of numbers with so many binary places: sums, products and multiples, rounded outwards.
 module Visibility.Exact.Interval
-  ( Places (..)
+  ( BinaryPlaces (..)
   , Interval (..)
     -- * From rationals and back
   , around
@@ -20,7 +20,7 @@ import Data.Ratio (denominator, numerator)
 import Visibility.Exact.IntegerRoot (bitLength)
 
 -- | So many binary places: the unit is 2^−w. Not negative.
-newtype Places = Places Int
+newtype BinaryPlaces = BinaryPlaces Int
   deriving (Eq, Ord, Show)
 
 -- | All numbers from a lower to an upper end, in units.
@@ -28,20 +28,20 @@ data Interval = Interval !Integer !Integer
   deriving (Eq, Show)
 
 -- | The least interval around a number.
-around :: Places -> Rational -> Interval
+around :: BinaryPlaces -> Rational -> Interval
 around w q = between w (q, q)
 
 -- | The least interval around all numbers from a lower to an upper one.
-between :: Places -> (Rational, Rational) -> Interval
-between (Places w) (low, high) = Interval (floored (scaled low)) (ceiled (scaled high))
+between :: BinaryPlaces -> (Rational, Rational) -> Interval
+between (BinaryPlaces w) (low, high) = Interval (floored (scaled low)) (ceiled (scaled high))
   where
     scaled q = (numerator q `shiftL` w, denominator q)
 
 -- | Its ends as numbers.
 --
 -- /Laws/ @between w . ends w@ changes nothing.
-ends :: Places -> Interval -> (Rational, Rational)
-ends (Places w) (Interval low high) = (fromInteger low * unit, fromInteger high * unit)
+ends :: BinaryPlaces -> Interval -> (Rational, Rational)
+ends (BinaryPlaces w) (Interval low high) = (fromInteger low * unit, fromInteger high * unit)
   where
     unit = powerOfTwo (negate w)
 
@@ -50,8 +50,8 @@ plus :: Interval -> Interval -> Interval
 plus (Interval a b) (Interval c d) = Interval (a + c) (b + d)
 
 -- | The products of the numbers of one and of the other. /Requires/ that no number in them is negative.
-times :: Places -> Interval -> Interval -> Interval
-times (Places w) (Interval a b) (Interval c d) = Interval ((a * c) `shiftR` w) (negate (negate (b * d) `shiftR` w))
+times :: BinaryPlaces -> Interval -> Interval -> Interval
+times (BinaryPlaces w) (Interval a b) (Interval c d) = Interval ((a * c) `shiftR` w) (negate (negate (b * d) `shiftR` w))
 
 -- | The multiples by a rational that is not negative.
 multiple :: Rational -> Interval -> Interval

@@ -14,6 +14,7 @@ import Data.Ratio ((%))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.Format.Number (numberText)
+import Visibility.Mesh.Element
 import Visibility.Radiosity
 import Visibility.Scene (sideText)
 import Visibility.Scene.Raw (Material (..))

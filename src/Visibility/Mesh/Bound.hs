@@ -59,7 +59,7 @@ bounded most mesh = (part (\gone p -> not (gone p)) , part id)
 dropping :: ElementCount -> [Stop] -> [Rational]
 dropping most stops = go excess initial (IntSet.fromDistinctAscList [0 .. length stops - 1])
   where
-    excess = length [() | Break _ _ <- stops] + length [() | PieceEnd _ <- stops] `div` 2 - elementNumber most
+    excess = length [() | Break _ _ <- stops] + length [() | PieceEnd _ <- stops] `div` 2 - countedElements most
     places = IntMap.fromDistinctAscList (zip [0 ..] stops)
     initial = foldl' (\queue i -> insert i everything queue) Set.empty (IntMap.keys places)
     everything = IntMap.keysSet places

@@ -5,12 +5,9 @@ module Visibility.Mesh.Span
   , pointOn
   ) where
 
-import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import Visibility.Exact.Point (Point (..))
-import Visibility.Law (broken)
 import Visibility.Scene
-import Visibility.Scene.Raw (Form (..))
 
 -- | A piece of a side of the file: where the side begins and ends in the order of the file, and the parameters of the
 -- 'sideStart' and the 'sideEnd' of the piece.
@@ -24,30 +21,18 @@ data Span = Span
   , spanEnd :: !Rational
   }
 
--- | By 'SideId'. /Cost/ O(n log n).
+-- | By 'SideId'. /Cost/ O(n).
 pieceSpans :: Scene -> V.Vector Span
 pieceSpans scene = V.fromList (map spanOf (sides scene))
   where
     spanOf s = Span from to (parameter from to (sideStart s)) (parameter from to (sideEnd scene s))
       where
-        (from, to) = case Map.lookup (sideName scene s) ends of
-          Just found -> found
-          Nothing -> broken "a side has the name of one of the file" (sideText (sideName scene s))
+        (from, to) = sideEnds scene (sideName scene s)
     parameter (Point ax ay) (Point bx by) c
       | ax /= bx = (x - ax) / (bx - ax)
       | otherwise = (y - ay) / (by - ay)
       where
         Point x y = cornerPoint scene c
-    ends =
-      Map.fromList
-        [ (SideName (polygonId polygon) k, both)
-        | polygon <- scenePolygons scene
-        , (k, both) <- zip [0 ..] (endsOf (polygonForm polygon) (polygonPoints polygon))
-        ]
-    endsOf Ring points = zip points (drop 1 points <> take 1 points)
-    endsOf Polyline points = forth <> [(b, a) | (a, b) <- reverse forth]
-      where
-        forth = zip points (drop 1 points)
 
 -- | The point of a side of the file at a parameter.
 pointOn :: Span -> Rational -> Point

@@ -19,7 +19,7 @@ module Visibility.Mesh.Type
     -- * How many elements
   , ElementCount
   , elementCount
-  , elementNumber
+  , countedElements
   ) where
 
 import Data.Foldable (toList)
@@ -124,5 +124,5 @@ newtype ElementCount = ElementCount Int
 elementCount :: Int -> Maybe ElementCount
 elementCount n = if n >= 1 then Just (ElementCount n) else Nothing
 
-elementNumber :: ElementCount -> Int
-elementNumber (ElementCount n) = n
+countedElements :: ElementCount -> Int
+countedElements (ElementCount n) = n

@@ -34,7 +34,7 @@ balanceOf system (Enclosure radiosity arriving) =
     , lostPower = power (V.zipWith3 losing patches lengths radiosity)
     }
   where
-    w@(Places places) = systemPlaces system
+    w@(BinaryPlaces places) = systemPlaces system
     patches = systemPatches system
     -- Lengths by a power of two.
     longest = maximum (0 : map (halvings . max 0 . snd . enclosureRelative 8 . patchLength) (V.toList patches))

@@ -58,7 +58,7 @@ residuals :: System -> V.Vector Integer -> V.Vector Residual
 residuals system x = V.imap residual (systemPatches system)
   where
     Matrix starts cols doubles precision = systemMatrix system
-    Places w = systemPlaces system
+    BinaryPlaces w = systemPlaces system
     largest = V.foldl' max 0 x
     residual i patch
       | systemLit system U.! i = Residual (Interval (low - at) (high - at)) light

@@ -1,11 +1,7 @@
 -- | The equations of radiosity of a scene: elements, and the light that goes from one to another.
 module Visibility.Radiosity.System
-  ( -- * Elements
-    Element (..)
-  , sideElements
-  , elementText
-    -- * The system
-  , System (..)
+  ( -- * The system
+    System (..)
   , Patch (..)
   , systemSize
   , openLength
@@ -31,30 +27,9 @@ import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.FormFactor
 import Visibility.Law (broken)
+import Visibility.Mesh.Element
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
-
--- | A part of a side, of one radiosity.
-data Element = Element
-  { elementSide :: !SideName
-  -- ^ The side of the file that it is a part of.
-  , elementNumber :: !Int
-  -- ^ Its number on the side, from 0.
-  , elementFrom :: !Rational
-  , elementTo :: !Rational
-  -- ^ Where it begins and ends on the side, which goes from 0 to 1.
-  , elementIn :: !SideName
-  -- ^ What the scene calls it in which the elements are sides.
-  }
-  deriving (Eq, Show)
-
--- | Every side of a scene as one element.
-sideElements :: Scene -> [Element]
-sideElements scene = [Element s 0 0 1 s | s <- statedSides scene]
-
--- | @3.0#2@: the form of every output.
-elementText :: Element -> String
-elementText e = sideText (elementSide e) <> "#" <> show (elementNumber e)
 
 -- Note [Radiosity of sides that are covered in part]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -89,7 +64,7 @@ openLength patch = RootSum.scaled (patchOpen patch) (patchLength patch)
 
 -- | Equations B = E + gain · F B in units of 2^(scale − places).
 data System = System
-  { systemPlaces :: !Places
+  { systemPlaces :: !BinaryPlaces
   , systemScale :: !Int
   -- ^ Emissions are divided by this power of two, and are then below 1.
   , systemPatches :: !(V.Vector Patch)
@@ -133,9 +108,9 @@ factorCount = U.length . columns
 -- | The equations with form factors as Doubles.
 --
 -- /Requires/ one element for every side of the scene. /Cost/ O(factors + n log n).
-fromNearest :: Places -> Scene -> [Element] -> [NearestRow] -> System
-fromNearest places scene elements rows =
-  assembled places scene elements known bounds (\entries -> (U.fromList entries, CorrectlyRounded))
+fromNearest :: BinaryPlaces -> Refined -> [NearestRow] -> System
+fromNearest places cut rows =
+  assembled places cut known bounds (\entries -> (U.fromList entries, CorrectlyRounded))
   where
     bounds x = (toRational x * (1 - slack) - least, toRational x * (1 + slack) + least)
     known = Map.fromList [(rowFrom row, rowFactors row) | row <- rows]
@@ -146,9 +121,9 @@ fromNearest places scene elements rows =
 -- | The equations with form factors to so many places.
 --
 -- /Requires/ one element for every side of the scene. /Cost/ O(n log n) and an enclosure for each term of each factor.
-fromExact :: Places -> Scene -> [Element] -> [FormFactor] -> System
-fromExact places@(Places w) scene elements factors =
-  assembled places scene elements known id $ \entries ->
+fromExact :: BinaryPlaces -> Refined -> [FormFactor] -> System
+fromExact places@(BinaryPlaces w) cut factors =
+  assembled places cut known id $ \entries ->
     let lower = V.fromList [low | Interval low _ <- map (between places) entries]
      in (U.convert (V.map (upperDouble . (+ 2)) lower), Enclosed lower)
   where
@@ -162,14 +137,13 @@ fromExact places@(Places w) scene elements factors =
 
 -- | The tables, from factors by what they leave; with bounds of a factor and a way to keep them.
 assembled
-  :: Places
-  -> Scene
-  -> [Element]
+  :: BinaryPlaces
+  -> Refined
   -> Map.Map SideName [(Seen, a)]
   -> (a -> (Rational, Rational))
   -> ([a] -> (U.Vector Double, Precision))
   -> System
-assembled places scene elements known bounds kept =
+assembled places (Refined scene elements) known bounds kept =
   System
     { systemPlaces = places
     , systemScale = scale

@@ -42,6 +42,7 @@ module Visibility.Scene.Type
   , sideRanks
   , piecesOf
   , sideSpan
+  , sideEnds
   , statedMaterial
   , uncovered
   , seenAs
@@ -323,6 +324,14 @@ piecesOf scene name = map SideId . bucketOf (piecesBySide scene) <$> statedSideN
 -- | The way along a side of the file on the lattice, whole, whatever covers it. /Requires/ the name of a side.
 sideSpan :: Scene -> SideName -> Way
 sideSpan scene = statedWay (sceneStated scene) . sideNumber scene
+
+-- | Where a side of the file begins and ends in the order of the file, whatever covers it. /Requires/ the name of a side.
+sideEnds :: Scene -> SideName -> (Point, Point)
+sideEnds scene name = (end 0, end 1)
+  where
+    stated = sceneStated scene
+    end k = fromLattice (sceneLattice scene) (placeAt (statedPlaces stated) (corner k))
+    corner k = fromIntegral (statedSideEnds stated U.! (2 * sideNumber scene name + k))
 
 -- | The material of a side of the file. /Requires/ the name of a side.
 statedMaterial :: Scene -> SideName -> Material

@@ -8,15 +8,15 @@ spec :: Spec
 spec = describe "an interval" $ do
   it "around a number contains it, and is a unit wide at most" $
     property $ \(NonNegative k) q ->
-      let w = Places k
+      let w = BinaryPlaces k
           (low, high) = ends w (around w q)
        in conjoin [property (low <= q && q <= high), property (high - low <= powerOfTwo (negate k))]
   it "is that around its ends" $
     property $ \(NonNegative k) a b ->
-      let i = Interval (min a b) (max a b) in between (Places k) (ends (Places k) i) === i
+      let i = Interval (min a b) (max a b) in between (BinaryPlaces k) (ends (BinaryPlaces k) i) === i
   it "of sums, products and multiples contains those of all its numbers" $
     property $ \(NonNegative k) (NonNegative a) (NonNegative b) (NonNegative m) ->
-      let w = Places k
+      let w = BinaryPlaces k
           (x, y) = (around w a, around w b)
           inside q i = let (low, high) = ends w i in low <= q && q <= high
        in conjoin
@@ -25,7 +25,7 @@ spec = describe "an interval" $ do
             , counterexample "multiple" (inside (m * a) (multiple m x))
             ]
   it "keeps what has few places" $
-    times (Places 4) (around (Places 4) (3 / 2)) (around (Places 4) (5 / 4)) `shouldBe` around (Places 4) (15 / 8)
+    times (BinaryPlaces 4) (around (BinaryPlaces 4) (3 / 2)) (around (BinaryPlaces 4) (5 / 4)) `shouldBe` around (BinaryPlaces 4) (15 / 8)
   it "is scaled to below 1 by halving" $
     property $ \(Positive q) ->
       let r = q * powerOfTwo (negate (halvings q)) in counterexample (show r) (1 / 4 <= r && r <= 1)

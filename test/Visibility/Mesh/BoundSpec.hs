@@ -20,13 +20,13 @@ spec =
         onMeshes $ \mesh most (kept, dropped) ->
           conjoin
             [ (map breakParameter (breaksOf kept side), map breakParameter (breaksOf dropped side))
-                === oneByOne (elementNumber most) (pieceEnds mesh side) points
+                === oneByOne (countedElements most) (pieceEnds mesh side) points
             | (side, points) <- meshSides mesh
             ]
       it "is kept on every side, but that a side has an element for each of its pieces" $
         onMeshes $ \mesh most (kept, _) ->
           conjoin
-            [ counterexample (sideText side) (length points + pieces <= max (elementNumber most) pieces)
+            [ counterexample (sideText side) (length points + pieces <= max (countedElements most) pieces)
             | (side, points) <- meshSides kept
             , let pieces = length (concat (piecesOf (meshScene mesh) side))
             ]
@@ -44,7 +44,7 @@ spec =
             ]
       it "that is lower by one drops the same and at most one more on each side" $
         onMeshes $ \mesh most (_, dropped) ->
-          let less = fromMaybe most (elementCount (elementNumber most - 1))
+          let less = fromMaybe most (elementCount (countedElements most - 1))
               (_, droppedMore) = bounded less mesh
            in conjoin
                 [ counterexample (sideText side) $

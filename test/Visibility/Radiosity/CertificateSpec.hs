@@ -8,6 +8,7 @@ import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Interval hiding (around)
 import Visibility.Exact.Rounding (defaultDigits, digits)
 import Visibility.FormFactor
+import Visibility.Mesh.Element
 import Visibility.Radiosity
 import Visibility.Radiosity.Certificate
 import Visibility.Radiosity.System
@@ -17,11 +18,11 @@ import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.Test.Light
 
-places :: Places
-places = Places 160
+places :: BinaryPlaces
+places = BinaryPlaces 160
 
 systemOf :: Scene -> System
-systemOf scene = fromNearest places scene (sideElements scene) (nearestFactors scene (measures scene (vertices scene)))
+systemOf scene = fromNearest places (unrefined scene) (nearestFactors scene (measures scene (vertices scene)))
 
 -- | A number in units of a system, rounded down.
 units :: System -> Rational -> Integer

@@ -9,6 +9,7 @@ import Visibility.Exact.Interval hiding (around)
 import Visibility.Exact.Point
 import Visibility.Exact.Rounding (defaultDigits, digits)
 import Visibility.FormFactor
+import Visibility.Mesh.Element
 import Visibility.Radiosity
 import Visibility.Radiosity.System
 import Visibility.Scene
@@ -86,7 +87,7 @@ spec = do
             scene <- sampleScene <$> sample (RawScene Nothing (Just room) [lamp])
             let closeness = ToDigits (fromMaybe defaultDigits (digits 20))
                 sums = measures scene (vertices scene)
-            either (const Nothing) Just (radiosityOfElements closeness scene (map element (statedSides scene)) sums)
+            either (const Nothing) Just (radiosityOfElements closeness (Refined scene (map element (statedSides scene))) sums)
       case solved of
         Nothing -> expectationFailure "there is no solution"
         Just found -> do
@@ -97,14 +98,13 @@ spec = do
             (Just (a, b), Just (c, d), Just mean) -> mean `shouldBe` ((a + 5 * c) / 6, (b + 5 * d) / 6)
             _ -> expectationFailure "an element is missing"
 
-places :: Places
-places = Places 100
+places :: BinaryPlaces
+places = BinaryPlaces 100
 
 both :: Scene -> (System, System)
 both scene =
-  ( fromNearest places scene elements' (nearestFactors scene sums)
-  , fromExact places scene elements' (formFactors scene sums)
+  ( fromNearest places (unrefined scene) (nearestFactors scene sums)
+  , fromExact places (unrefined scene) (formFactors scene sums)
   )
   where
-    elements' = sideElements scene
     sums = measures scene (vertices scene)
