@@ -12,7 +12,6 @@ module Options
   , FactorValues (..)
   , MeshOptions (..)
   , Breaks (..)
-  , MeshFigureOptions (..)
   , ViewOptions (..)
   , From (..)
   , DrawOptions (..)
@@ -21,11 +20,11 @@ module Options
   , ReportOptions (..)
   , RadiosityOptions (..)
   , Elements (..)
+  , LightOptions (..)
   ) where
 
-import Control.Applicative (optional, (<**>))
+import Control.Applicative ((<**>))
 import Data.List (intercalate)
-import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Options.Applicative
   ( InfoMod
@@ -53,25 +52,20 @@ import Options.Applicative
   , parserFailure
   , prefs
   , progDesc
-  , short
   , showDefaultWith
   , showHelpOnEmpty
-  , strOption
   , value
   )
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
+import Options.Draw
 import Options.Factors
 import Options.Mesh
 import Options.Radiosity
 import Options.Reader
 import Options.Report
-import Visibility.Exact.Point (Point (..))
-import Visibility.Exact.Predicate (Direction)
-import Visibility.Exact.Rounding (Digits)
-import Visibility.Format.Factors (Detail (..))
-import Visibility.Scene (CornerName (..), SideName (..))
+import Options.View
 import Visibility.Scene.Family
 
 -- | A command with its options.
@@ -87,26 +81,6 @@ data Command
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
   | Report !ReportOptions
-
-data DrawOptions = DrawOptions
-  { figure :: !Figure
-  , figureFile :: !(Maybe FilePath)
-  }
-
-data Figure = SceneFigure | DualFigure | MatrixFigure | ViewFigure !From | MeshFigure !MeshFigureOptions
-
--- | Whose view is asked for.
-data From
-  = -- | A point, with the normal of an element there.
-    FromPoint !Point !(Maybe Direction)
-  | FromCorner !CornerName !(Maybe Direction)
-  | FromSide !SideName
-
-data ViewOptions = ViewOptions
-  { viewFrom :: !From
-  , viewDigits :: !Digits
-  , viewDetail :: !Detail
-  }
 
 data GenerateOptions = GenerateOptions
   { generatedFamily :: !Family
@@ -261,6 +235,7 @@ commands =
           [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
           , ("its dual: lines as points", "viscomplex draw dual scenes/room.json -o room-dual.svg")
           , ("its form factors", "viscomplex draw matrix scenes/room.json -o room-matrix.svg")
+          , ("its light, on the elements of the mesh", "viscomplex draw radiosity scenes/room.json --mesh discontinuity --profile E.0")
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
           , ("where shadows end, with the lines", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
           ]
@@ -289,69 +264,6 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
   where
     example (purpose, call) = indent 2 (text ("# " <> purpose)) : map (indent 2 . text) (lines call)
     ending = if null more then [] else empty : map text (lines more)
-
--- | Where one looks from, if that is said, or what is wrong with it.
-place :: Parser (Either String (Maybe From))
-place = combined <$> point <*> corner <*> side <*> normal
-  where
-    point =
-      optional . option pairReader $
-        long "from" <> metavar "X,Y" <> help "A point in free space or on a boundary: exact numbers, as in files."
-    corner = named CornerName "corner" "P.K" "A corner, such as 3.0 or E.2."
-    side = named SideName "side" "P.S" "A side, such as 3.0 or E.2."
-    normal =
-      optional . option directionReader $
-        long "normal" <> metavar "DX,DY" <> help "Form factors of a small element that faces this way; no --side."
-    named make name shape purpose =
-      optional (option (nameReader make) (long name <> metavar shape <> help purpose))
-    combined (Just (x, y)) Nothing Nothing facing = Right (Just (FromPoint (Point x y) facing))
-    combined Nothing (Just name) Nothing facing = Right (Just (FromCorner name facing))
-    combined Nothing Nothing (Just name) Nothing = Right (Just (FromSide name))
-    combined Nothing Nothing (Just _) (Just _) = Left "--normal goes with --from or --corner, not with --side"
-    combined Nothing Nothing Nothing (Just _) = Left "--normal needs --from X,Y or --corner P.K"
-    combined Nothing Nothing Nothing Nothing = Right Nothing
-    combined _ _ _ _ = Left "give one of --from, --corner and --side, not more"
-
-viewOptions :: Parser (Either String ViewOptions)
-viewOptions = complete <$> place <*> digitsOption <*> detailOption
-  where
-    complete from wanted detail = from >>= maybe (Left nowhere) (\known -> Right (ViewOptions known wanted detail))
-    nowhere = "view needs --from X,Y, --corner P.K or --side P.S"
-
--- | The figure, or why there is none of this kind.
-figureKind :: Parser (Either String Figure)
-figureKind = (\name from mesh -> from >>= combined name mesh) <$> figureName <*> place <*> meshFigureOptions
-  where
-    figureName =
-      argument
-        ( oneOf
-            [ ("scene", PlainFigure SceneFigure)
-            , ("dual", PlainFigure DualFigure)
-            , ("matrix", PlainFigure MatrixFigure)
-            , ("view", OfView)
-            , ("mesh", OfMesh)
-            ]
-        )
-        ( metavar "FIGURE"
-            <> help
-              "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \
-              \matrix: the form factors, a coloured cell for each that is not zero. \
-              \view: what is seen --from a point, a --corner or a --side. mesh: the break points of all sides."
-        )
-    combined OfMesh mesh Nothing = Right (MeshFigure (fromMaybe plainMeshFigure mesh))
-    combined _ (Just _) _ = Left "--breaks, --max-elements and --lines are for the figure mesh"
-    combined (PlainFigure plain) Nothing Nothing = Right plain
-    combined OfView Nothing (Just from) = Right (ViewFigure from)
-    combined OfView Nothing Nothing = Left "draw view needs --from X,Y, --corner P.K or --side P.S"
-    combined _ _ (Just _) = Left "--from, --corner and --side are for the figure view"
-
--- | The word for a figure.
-data FigureName = PlainFigure !Figure | OfView | OfMesh
-
-figureOption :: Parser (Maybe FilePath)
-figureOption =
-  optional . strOption $
-    short 'o' <> long "output" <> metavar "FILE.svg" <> help "Where to write; standard output if not given."
 
 generateOptions :: Parser GenerateOptions
 generateOptions =

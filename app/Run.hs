@@ -4,6 +4,7 @@ module Run
   , withScene
   , sweeping
   , sweepingPieces
+  , measuring
   , printed
   , streamed
   , written
@@ -34,6 +35,7 @@ import System.IO.Error (ioeGetErrorString, ioeGetErrorType, isResourceVanishedEr
 import Together (inTurns)
 import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
+import Visibility.FormFactor (Measures, measuresInPieces)
 import Visibility.Format.File (fileLabel, readSceneBytes, sceneFileBytes)
 import Visibility.Format.Json (sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
@@ -95,6 +97,10 @@ sweepingPieces common jobs scene make act = case jobs of
   where
     made piece = let item = make piece in item `seq` (pieceLength piece, item)
     watched items = withProgress "vertices swept" fst items (act . map snd)
+
+-- | The measures of the lines between what sees each other, from a sweep that shows its progress.
+measuring :: Common -> Scene -> IO Measures
+measuring common scene = sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
 
 -- | Writes messages to standard error, a line or more each.
 complain :: [String] -> IO ()

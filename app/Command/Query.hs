@@ -6,18 +6,20 @@ module Command.Query
   , runComplex
   ) where
 
+import Command.Mesh (divided)
 import Data.ByteString.Builder (byteString, stringUtf8)
 import Options
 import Progress (withProgress)
-import Run (printed, streamed, sweeping, sweepingPieces, withScene)
+import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
-import Visibility.FormFactor (NearestRow (..), formFactors, measuresInPieces, nearestFactors)
+import Visibility.FormFactor (NearestRow (..), formFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument)
-import Visibility.Format.Factors (factorsDocument, nearestDocument)
+import Visibility.Format.Factors (Naming (..), factorsDocument, nearestDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
+import Visibility.Mesh (Refined (..), elementNames)
 import Visibility.Sweep (Piece)
 import Visibility.View (events)
 
@@ -43,15 +45,19 @@ runGraph common options = withScene common $ \scene ->
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
-runFactors common options = withScene common $ \scene -> do
-  sums <- sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
+runFactors common options = withScene common $ \file -> divided common (factorElements options) file $ \cut -> do
+  let scene = refinedScene cut
+      names = case factorElements options of
+        WholeSides -> OwnNames
+        ElementsOf _ -> ElementNames (elementNames cut)
+  sums <- measuring common scene
   case factorValues options of
     Decimals wanted detail ->
       withProgress "form factors written" (const 1) (formFactors scene sums) $
-        printed . factorsDocument (factorFormat options) detail wanted scene
+        printed . factorsDocument (factorFormat options) detail wanted names scene
     NearestDoubles ->
       withProgress "form factors written" (length . rowFactors) (nearestFactors scene sums) $
-        printed . nearestDocument (factorFormat options) scene
+        printed . nearestDocument (factorFormat options) names scene
 
 -- | The whole complex.
 runComplex :: Common -> IO ()

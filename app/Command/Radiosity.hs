@@ -1,28 +1,34 @@
 -- | The command that solves for radiosity.
 module Command.Radiosity
   ( runRadiosity
+  , solved
   ) where
 
+import Command.Mesh (divided)
 import Data.Maybe (fromMaybe)
 import Options
-import Run (complain, ends, printed, sweepingPieces, withScene)
+import Run (complain, ends, measuring, printed, withScene)
 import Visibility.Error (Outcome (..))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (decimal, defaultDigits, digits, outwardDecimals)
-import Visibility.FormFactor (measuresInPieces)
 import Visibility.Format.Radiosity (radiosityDocument)
+import Visibility.Mesh (Refined (..))
 import Visibility.Radiosity
 
 -- | Radiosities with their bounds; or how close bounds can be, where they cannot be as close as asked.
 runRadiosity :: Common -> RadiosityOptions -> IO ()
-runRadiosity common options = withScene common $ \scene -> do
-  sums <- sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
-  let found = case radiosityElements options of
-        WholeSides -> radiosity (radiosityCloseness options) scene sums
-  case found of
-    Right solved -> printed (radiosityDocument solved)
+runRadiosity common options = withScene common $ \scene ->
+  divided common (radiosityElements options) scene $ \cut ->
+    solved common (radiosityCloseness options) cut (printed . radiosityDocument)
+
+-- | Works on the radiosities of elements; or ends the program where bounds cannot be as close as asked.
+solved :: Common -> Closeness -> Refined -> (Radiosity -> IO ()) -> IO ()
+solved common closeness cut work = do
+  sums <- measuring common (refinedScene cut)
+  case radiosityOfElements closeness cut sums of
+    Right found -> work found
     Left shortfall -> do
-      complain [sceneFile common <> ": " <> shortfallText (radiosityCloseness options) shortfall]
+      complain [sceneFile common <> ": " <> shortfallText closeness shortfall]
       ends WrongUsage
 
 -- | What was asked for, what can be had, and what to ask for.

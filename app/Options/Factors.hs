@@ -10,6 +10,7 @@ module Options.Factors
 
 import Data.Maybe (fromMaybe)
 import Options.Applicative
+import Options.Mesh
 import Options.Reader
 import Visibility.Exact.Rounding (Digits, defaultDigits, digitCount, digits)
 import Visibility.Format.Factors (Detail (..), FactorFormat (..))
@@ -17,6 +18,7 @@ import Visibility.Format.Factors (Detail (..), FactorFormat (..))
 data FactorOptions = FactorOptions
   { factorFormat :: !FactorFormat
   , factorValues :: !FactorValues
+  , factorElements :: !Elements
   }
 
 -- | What stands for a form factor.
@@ -28,8 +30,18 @@ data FactorValues
 
 -- | The options, or what does not go together.
 factorOptions :: Parser (Either String FactorOptions)
-factorOptions = combined <$> format <*> double <*> optional digitsGiven <*> detailOption
+factorOptions =
+  (\chosen made -> ($) <$> made <*> chosen)
+    <$> (elementsChosen <$> elementsFlag <*> elementsGiven)
+    <*> (combined <$> format <*> double <*> optional digitsGiven <*> detailOption)
   where
+    elementsFlag =
+      switch
+        ( long "elements"
+            <> help "Form factors of elements instead of sides, such as 0.0#3: those of the --mesh, by default the \
+                    \discontinuity mesh."
+        )
+    elementsChosen asked given = fromMaybe (if asked then ElementsOf wholeMesh else WholeSides) <$> given
     format =
       option
         (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])

@@ -3,17 +3,23 @@ module Options.Mesh
   ( MeshOptions (..)
   , Breaks (..)
   , meshOptions
-    -- * Of a figure
-  , MeshFigureOptions (..)
-  , meshFigureOptions
-  , plainMeshFigure
+    -- * Elements
+  , Elements (..)
+  , MeshName (..)
+  , elementsGiven
+  , elementsFrom
+  , wholeMesh
+    -- * What is said
+  , meshGiven
+  , breaksGiven
+  , mostGiven
+  , ElementCount
   ) where
 
 import Data.List (stripPrefix)
 import Data.Maybe (fromMaybe)
 import Options.Applicative
 import Options.Reader
-import Visibility.Draw.Mesh (CastingLines (..))
 import Visibility.Mesh (ElementCount, elementCount)
 
 data MeshOptions = MeshOptions
@@ -31,23 +37,48 @@ data Breaks
 meshOptions :: Parser MeshOptions
 meshOptions = MeshOptions . fromMaybe AllBreaks <$> optional breaksGiven <*> optional mostGiven
 
--- | A mesh as a figure shows it.
-data MeshFigureOptions = MeshFigureOptions
-  { figureMesh :: !MeshOptions
-  , castingLines :: !CastingLines
-  }
+-- | What has form factors and a radiosity of its own.
+data Elements
+  = -- | Every side.
+    WholeSides
+  | -- | What the break points of a mesh cut sides into.
+    ElementsOf !MeshOptions
 
--- | What is said of the mesh of a figure; 'Nothing' if nothing is.
-meshFigureOptions :: Parser (Maybe MeshFigureOptions)
-meshFigureOptions = combined <$> optional breaksGiven <*> optional mostGiven <*> lines'
+-- | What @--mesh@ names.
+data MeshName = NoMesh | CutAt !Breaks
+
+-- | The elements that are asked for, if that is said, or what does not go together.
+elementsGiven :: Parser (Either String (Maybe Elements))
+elementsGiven = elementsFrom <$> optional meshGiven <*> optional mostGiven
+
+elementsFrom :: Maybe MeshName -> Maybe ElementCount -> Either String (Maybe Elements)
+elementsFrom mesh most = case (mesh, most) of
+  (Nothing, Nothing) -> Right Nothing
+  (Just NoMesh, Nothing) -> Right (Just WholeSides)
+  (Just (CutAt breaks), _) -> Right (Just (ElementsOf (MeshOptions breaks most)))
+  (_, Just _) -> Left "--max-elements goes with a --mesh other than sides"
+
+meshGiven :: Parser MeshName
+meshGiven =
+  option
+    (eitherReader named)
+    ( long "mesh"
+        <> metavar "sides|discontinuity|shadow-limits|uniform:N"
+        <> help
+          "What the elements are: whole sides, or what break points cut them into: those of the discontinuity mesh, \
+          \those of them where shadows end, or N equal parts."
+    )
   where
-    lines' = flag WithoutLines WithLines (long "lines" <> help "Of a mesh: draw the lines that cast the break points too.")
-    combined Nothing Nothing WithoutLines = Nothing
-    combined breaks most wanted = Just (MeshFigureOptions (MeshOptions (fromMaybe AllBreaks breaks) most) wanted)
+    named word = case word of
+      "sides" -> Right NoMesh
+      "discontinuity" -> Right (CutAt AllBreaks)
+      "all" -> Left (notOne word)
+      _ -> either (const (Left (notOne word))) (Right . CutAt) (breaksNamed word)
+    notOne word = word <> " is none of: sides, discontinuity, shadow-limits, uniform:N"
 
--- | The whole mesh, without lines.
-plainMeshFigure :: MeshFigureOptions
-plainMeshFigure = MeshFigureOptions (MeshOptions AllBreaks Nothing) WithoutLines
+-- | All break points.
+wholeMesh :: MeshOptions
+wholeMesh = MeshOptions AllBreaks Nothing
 
 breaksGiven :: Parser Breaks
 breaksGiven =

@@ -1,13 +1,13 @@
 -- | How radiosities are asked for.
 module Options.Radiosity
   ( RadiosityOptions (..)
-  , Elements (..)
   , radiosityOptions
   ) where
 
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Options.Applicative
+import Options.Mesh
 import Options.Reader
 import Visibility.Error (numberFaultText)
 import Visibility.Exact.Rounding (digits)
@@ -19,24 +19,10 @@ data RadiosityOptions = RadiosityOptions
   , radiosityCloseness :: !Closeness
   }
 
--- | What has one radiosity.
-data Elements
-  = -- | Every side.
-    WholeSides
-
 -- | The options, or what does not go together.
 radiosityOptions :: Parser (Either String RadiosityOptions)
-radiosityOptions = combined <$> mesh <*> optional within <*> optional exact
+radiosityOptions = (\chosen within' exact' -> chosen >>= combined within' exact') <$> elementsGiven <*> optional within <*> optional exact
   where
-    mesh =
-      option
-        (oneOf [("sides", WholeSides)])
-        ( long "mesh"
-            <> metavar "sides"
-            <> value WholeSides
-            <> showDefaultWith (const "sides")
-            <> help "The elements: whole sides."
-        )
     within =
       option
         toleranceReader
@@ -53,10 +39,10 @@ radiosityOptions = combined <$> mesh <*> optional within <*> optional exact
             <> metavar "N"
             <> help "Significant digits, from exact form factors; for small scenes. Bounds are rounded outwards."
         )
-    combined _ (Just _) (Just _) = Left "--tolerance is met with Doubles: it goes without --digits"
-    combined elements chosen Nothing =
-      Right (RadiosityOptions elements (WithinTolerance (fromMaybe defaultTolerance chosen)))
-    combined elements Nothing (Just n) = Right (RadiosityOptions elements (ToDigits n))
+    combined (Just _) (Just _) _ = Left "--tolerance is met with Doubles: it goes without --digits"
+    combined chosen Nothing elements = Right (made elements (WithinTolerance (fromMaybe defaultTolerance chosen)))
+    combined Nothing (Just n) elements = Right (made elements (ToDigits n))
+    made = RadiosityOptions . fromMaybe WholeSides
     toleranceReader = eitherReader $ \word ->
       case readNumber (Text.pack word) of
         Left why -> Left (show word <> numberFaultText why)

@@ -40,13 +40,13 @@ data RadiosityFigure = RadiosityFigure
 
 -- | A part of a side of the file, with a value that holds on all of it.
 data LitElement = LitElement
-  { elementSide :: !SideName
-  , elementFrom :: !Rational
+  { litSide :: !SideName
+  , litFrom :: !Rational
   -- ^ Where it begins on the side, 0 at the side's first corner and 1 at its second.
-  , elementTo :: !Rational
-  , elementEnds :: !(Point, Point)
+  , litTo :: !Rational
+  , litEnds :: !(Point, Point)
   -- ^ The same in the file's coordinates.
-  , elementValue :: !Double
+  , litValue :: !Double
   }
   deriving (Eq, Show)
 
@@ -100,7 +100,7 @@ radiosityDrawing scene figure =
     counting = countedValues scene (radiosityScaling figure) shown
     scale = fitted (radiosityScaling figure) counting
     shade = shadeOf MoreIsBrighter scale
-    beyond = maximum (0 : map elementValue shown)
+    beyond = maximum (0 : map litValue shown)
     frame = frameFor foot scene []
     place = placeOf scene frame
     polygons = polygonMarks scene frame
@@ -110,7 +110,7 @@ radiosityDrawing scene figure =
     -- In order along the sides, each a little below the next, since viewers smooth edges and would leave seams.
     inOrder = sortOn (\(_, piece, (from, _)) -> (piece, from)) lit
     bands =
-      [ Mark (Text.pack (sideText (elementSide element))) (Band (shade (elementValue element))) $
+      [ Mark (Text.pack (sideText (litSide element))) (Band (shade (litValue element))) $
           Region (stripPart strip (fromRational from) (belowNext strip (fromRational to)))
       | (element, piece, (from, to)) <- inOrder
       , Just strip <- [Map.lookup piece strips]
@@ -145,7 +145,7 @@ radiosityDrawing scene figure =
       | (k, profile) <- zip [0 ..] profiles
       ]
     -- One scale for all panels, so that they can be compared; lamps elsewhere do not press them down.
-    panelScale = fitted (radiosityScaling figure) [elementValue e | e <- found, elementSide e `elem` chosen]
+    panelScale = fitted (radiosityScaling figure) [litValue e | e <- found, litSide e `elem` chosen]
     profiles = map (profileOf scene figure) chosen
 
     height = frameHeight frame + foot + 40
@@ -180,9 +180,9 @@ radiosityDrawing scene figure =
 countedValues :: Scene -> Scaling -> [LitElement] -> [Double]
 countedValues scene scaling found = case scaling of
   Linear | any (> 0) dark -> dark
-  _ -> map elementValue found
+  _ -> map litValue found
   where
-    dark = [elementValue e | e <- found, not (Set.member (elementSide e) lights)]
+    dark = [litValue e | e <- found, not (Set.member (litSide e) lights)]
     lights = Set.fromList [sideName scene s | s <- sides scene, emission (sideMaterial scene s) > 0]
 
 -- | The width of a band that has room, in pixels.
@@ -206,14 +206,14 @@ raySwatch (Box l b r t) =
 uncoveredParts :: Scene -> LitElement -> [(SideId, (Rational, Rational))]
 uncoveredParts scene element =
   [ (piece, (from, to))
-  | piece <- fromMaybe [] (piecesOf scene (elementSide element))
+  | piece <- fromMaybe [] (piecesOf scene (litSide element))
   , let (a, b) = (cornerPoint scene (sideStart piece), cornerPoint scene (sideEnd scene piece))
   , let (s, s') = (positionOn a b p, positionOn a b q)
   , let (from, to) = (max 0 (min s s'), min 1 (max s s'))
   , from < to
   ]
   where
-    (p, q) = elementEnds element
+    (p, q) = litEnds element
     positionOn (Point ax ay) (Point bx by) (Point x y)
       | ax /= bx = (x - ax) / (bx - ax)
       | otherwise = (y - ay) / (by - ay)
@@ -242,9 +242,9 @@ profileOf scene figure side =
     , profileUpwards = radiosityQuantity figure
     , profileLength = nearestDouble (sideLength scene side)
     , profileSteps =
-        [ Step (elementFrom e) (elementTo e) (elementValue e)
+        [ Step (litFrom e) (litTo e) (litValue e)
         | e <- radiosityElements figure
-        , elementSide e == side
+        , litSide e == side
         ]
     }
   where

@@ -4,6 +4,7 @@
 module Visibility.Format.Factors
   ( FactorFormat (..)
   , Detail (..)
+  , Naming (..)
   , factorsDocument
   , nearestDocument
   , exactTerms
@@ -29,6 +30,13 @@ data FactorFormat = FactorsCsv | FactorsJson | FactorsText
 data Detail = DecimalsOnly | WithExactMeasures
   deriving (Eq, Ord, Show, Enum, Bounded)
 
+-- | What sides are called.
+data Naming
+  = -- | By their names.
+    OwnNames
+  | -- | As the elements that they are.
+    ElementNames !(SideName -> String)
+
 -- | The document. Decimals are correctly rounded to so many significant digits; factors that are exactly zero are not
 -- there.
 --
@@ -37,9 +45,9 @@ data Detail = DecimalsOnly | WithExactMeasures
 --
 -- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
 -- not, exactly, and so has the text: the factors of the side add up to that.
-factorsDocument :: FactorFormat -> Detail -> Digits -> Scene -> [FormFactor] -> Builder
-factorsDocument format detail wanted scene factors =
-  document format (decimalBytes wanted . sideLength scene) scene columns (map entry factors)
+factorsDocument :: FactorFormat -> Detail -> Digits -> Naming -> Scene -> [FormFactor] -> Builder
+factorsDocument format detail wanted naming scene factors =
+  document format naming (decimalBytes wanted . sideLength scene) scene columns (map entry factors)
   where
     columns = case detail of
       DecimalsOnly -> "from,to,value\n"
@@ -54,8 +62,8 @@ factorsDocument format detail wanted scene factors =
 --
 -- /Degenerate cases/ a length that no positive Double is near to, being too large or too small, is the decimal of
 -- 'defaultDigits' that 'factorsDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
-nearestDocument :: FactorFormat -> Scene -> [NearestRow] -> Builder
-nearestDocument format scene rows = document format (lengthBytes . sideLength scene) scene "from,to,value\n" entries
+nearestDocument :: FactorFormat -> Naming -> Scene -> [NearestRow] -> Builder
+nearestDocument format naming scene rows = document format naming (lengthBytes . sideLength scene) scene "from,to,value\n" entries
   where
     lengthBytes exact
       | nearest > 0 && not (isInfinite nearest) = toShortest nearest
@@ -68,37 +76,48 @@ nearestDocument format scene rows = document format (lengthBytes . sideLength sc
 data Entry = Entry !SideName !Seen !Bytes.ByteString !(Maybe RootSum)
 
 -- | Entries by the side that they leave; with the text of a side's length and the header of CSV.
-document :: FactorFormat -> (SideName -> Bytes.ByteString) -> Scene -> String -> [Entry] -> Builder
-document format lengthOf scene header entries = case format of
-  FactorsCsv -> string7 header <> foldMap csvRow entries
-  FactorsJson -> Aeson.fromEncoding (json lengthOf scene entries) <> char7 '\n'
-  FactorsText -> plain lengthOf scene entries
+document :: FactorFormat -> Naming -> (SideName -> Bytes.ByteString) -> Scene -> String -> [Entry] -> Builder
+document format naming lengthOf scene header entries = case format of
+  FactorsCsv -> string7 header <> foldMap (csvRow naming) entries
+  FactorsJson -> Aeson.fromEncoding (json naming lengthOf scene entries) <> char7 '\n'
+  FactorsText -> plain naming lengthOf scene entries
 
 decimalBytes :: Digits -> RootSum -> Bytes.ByteString
 decimalBytes wanted = Bytes.pack . decimal wanted
 
-csvRow :: Entry -> Builder
-csvRow (Entry from to value measure) =
-  sideBuilder from
+csvRow :: Naming -> Entry -> Builder
+csvRow naming (Entry from to value measure) =
+  sideBuilder naming from
     <> char7 ','
-    <> seenBuilder to
+    <> seenBuilder naming to
     <> char7 ','
     <> byteString value
     <> foldMap (\total -> char7 ',' <> string7 (rootSumText total)) measure
     <> char7 '\n'
 
--- | As 'sideText' and 'seenText' have it.
-sideBuilder :: SideName -> Builder
-sideBuilder (SideName polygon k) = case polygon of
-  Obstacle p -> intDec p <> char7 '.' <> intDec k
-  Enclosure -> string7 "E." <> intDec k
+sideBuilder :: Naming -> SideName -> Builder
+sideBuilder naming side@(SideName polygon k) = case (naming, polygon) of
+  (ElementNames name, _) -> string7 (name side)
+  -- As 'sideText' has it.
+  (OwnNames, Obstacle p) -> intDec p <> char7 '.' <> intDec k
+  (OwnNames, Enclosure) -> string7 "E." <> intDec k
 
-seenBuilder :: Seen -> Builder
-seenBuilder (TheSide s) = sideBuilder s
-seenBuilder TheSky = string7 (seenText TheSky)
+seenBuilder :: Naming -> Seen -> Builder
+seenBuilder naming (TheSide s) = sideBuilder naming s
+seenBuilder _ TheSky = string7 (seenText TheSky)
 
-json :: (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Encoding
-json lengthOf scene entries =
+nameOf :: Naming -> SideName -> String
+nameOf naming = case naming of
+  OwnNames -> sideText
+  ElementNames name -> name
+
+nameOfSeen :: Naming -> Seen -> String
+nameOfSeen naming seen = case seen of
+  TheSide s -> nameOf naming s
+  TheSky -> seenText TheSky
+
+json :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Encoding
+json naming lengthOf scene entries =
   pairs $
     pair "format" (string "viscomplex/1")
       <> pair "sides" (list side (statedSides scene))
@@ -106,13 +125,13 @@ json lengthOf scene entries =
   where
     side s =
       pairs $
-        pair "id" (string (sideText s))
+        pair "id" (string (nameOf naming s))
           <> pair "length" (ascii (lengthOf s))
           <> mconcat [pair "uncovered" (string (rationalText part)) | part <- covering scene s]
     factor (Entry from to value measure) =
       pairs $
-        pair "from" (string (sideText from))
-          <> pair "to" (string (seenText to))
+        pair "from" (string (nameOf naming from))
+          <> pair "to" (string (nameOfSeen naming to))
           <> pair "value" (ascii value)
           <> foldMap (pair "measure" . exactTerms) measure
     ascii text = Aeson.unsafeToEncoding (char7 '"' <> byteString text <> char7 '"')
@@ -127,18 +146,18 @@ exactTerms = list term . RootSum.terms
   where
     term (c, n) = list string [rationalText c, show n]
 
-plain :: (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Builder
-plain lengthOf scene entries = foldMap block (statedSides scene)
+plain :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Builder
+plain naming lengthOf scene entries = foldMap block (statedSides scene)
   where
     bySide = Map.fromListWith (flip (<>)) [(from, [entry]) | entry@(Entry from _ _ _) <- entries]
     block s =
-      string7 ("side " <> sideText s <> ", length ")
+      string7 ("side " <> nameOf naming s <> ", length ")
         <> byteString (lengthOf s)
         <> foldMap (\part -> string7 (", " <> rationalText part <> " of it uncovered")) (covering scene s)
         <> string7 ", sees\n"
         <> foldMap row (Map.findWithDefault [] s bySide)
     row (Entry _ to value measure) =
-      string7 ("  " <> padded (seenText to)) <> byteString value <> foldMap exact measure <> char7 '\n'
+      string7 ("  " <> padded (nameOfSeen naming to)) <> byteString value <> foldMap exact measure <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
     exact total = string7 "  = (" <> string7 (rootSumText total) <> string7 ") / (2 L)"
 

@@ -7,6 +7,7 @@ module Visibility.Mesh.Element
   ( Element (..)
   , elementText
   , elementEnds
+  , elementNames
     -- * Scenes of elements
   , Refined (..)
   , refined
@@ -14,6 +15,7 @@ module Visibility.Mesh.Element
   ) where
 
 import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import Visibility.Exact.Point (Point)
@@ -76,6 +78,12 @@ refined mesh = Refined cut (zipWith ($) (concatMap elementsOn (statedSides scene
         (a, b) = endsOf s
         parts = zip stops (drop 1 stops)
         stops = a : map breakParameter (breaksOn mesh s) <> [b]
+
+-- | By the name of a side in the scene of the elements, the name of the element.
+elementNames :: Refined -> SideName -> String
+elementNames cut = \name -> maybe (sideText name) elementText (Map.lookup name byName)
+  where
+    byName = Map.fromList [(elementIn e, e) | e <- refinedElements cut]
 
 -- | Every side as one element.
 unrefined :: Scene -> Refined

@@ -20,9 +20,9 @@ import Visibility.Sweep
 -- | An element for each side that is not all covered, with B = E + ρ Σ F·E.
 directLight :: Scene -> [LitElement]
 directLight scene =
-  [ element {elementValue = given side + reflected side * Map.findWithDefault 0 side arriving}
+  [ element {litValue = given side + reflected side * Map.findWithDefault 0 side arriving}
   | element <- wholeSides scene
-  , let side = elementSide element
+  , let side = litSide element
   , Map.member side materials
   ]
   where
@@ -70,9 +70,9 @@ divided n raw = raw {rawEnclosure = finer <$> rawEnclosure raw, rawPolygons = ma
 undivided :: Int -> LitElement -> LitElement
 undivided n element =
   element
-    { elementSide = SideName polygon (k `div` n)
-    , elementFrom = fromIntegral (k `mod` n) / fromIntegral n
-    , elementTo = fromIntegral (k `mod` n + 1) / fromIntegral n
+    { litSide = SideName polygon (k `div` n)
+    , litFrom = fromIntegral (k `mod` n) / fromIntegral n
+    , litTo = fromIntegral (k `mod` n + 1) / fromIntegral n
     }
   where
-    SideName polygon k = elementSide element
+    SideName polygon k = litSide element

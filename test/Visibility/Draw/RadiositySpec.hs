@@ -32,20 +32,20 @@ spec = do
     it "an element has a band on each uncovered piece of its side, and a covered one has none" $
       forAllFigures $ \scene figure ->
         sort (map markName (marksIn "bands" (radiosityDrawing scene figure)))
-          === sort [sideName' side | side <- map elementSide (radiosityElements figure), _ <- pieces scene side]
+          === sort [sideName' side | side <- map litSide (radiosityElements figure), _ <- pieces scene side]
     it "a larger value is not darker" $
       forAllFigures $ \scene figure ->
-        let byValue = map snd (sortOn (elementValue . fst) (coloured scene figure))
+        let byValue = map snd (sortOn (litValue . fst) (coloured scene figure))
          in counterexample (show byValue) (and (zipWith (<=) byValue (drop 1 byValue)))
     it "only what gives light on a linear scale is beyond it" $
       forAllFigures $ \scene figure ->
         let found = coloured scene figure
-            (full, others) = partition (shines scene . elementSide . fst) found
-            brightest = maximum (0 : map (elementValue . fst) others)
+            (full, others) = partition (shines scene . litSide . fst) found
+            brightest = maximum (0 : map (litValue . fst) others)
          in brightest > 0 && radiosityScaling figure == Linear ==>
               conjoin
-                [ nub [shade | (e, shade) <- others, elementValue e == brightest] === [shadeAt 1]
-                , [shade | (e, shade) <- full, elementValue e >= brightest, shade /= shadeAt 1] === []
+                [ nub [shade | (e, shade) <- others, litValue e == brightest] === [shadeAt 1]
+                , [shade | (e, shade) <- full, litValue e >= brightest, shade /= shadeAt 1] === []
                 ]
     it "every polygon has one mark, every side that gives light has rays, no other has" $
       forAllFigures $ \scene figure ->
@@ -62,10 +62,10 @@ spec = do
     it "a panel belongs to each chosen side, with an area for each of its elements" $
       forAllFigures $ \scene figure ->
         map markName (marksIn "areas" (radiosityDrawing scene figure))
-          === [sideName' side | side <- radiosityProfiles figure, e <- radiosityElements figure, elementSide e == side]
+          === [sideName' side | side <- radiosityProfiles figure, e <- radiosityElements figure, litSide e == side]
     it "shows the same at the same place wherever the file has it" $
       property $ \(AnyScene s) ->
-        let lit scene = [element {elementValue = 1} | element <- wholeSides scene]
+        let lit scene = [element {litValue = 1} | element <- wholeSides scene]
             shapes scene =
               [ markShape mark
               | layer <- drawingLayers (radiosityDrawing scene (directFigure Linear [] (lit scene)))
@@ -96,7 +96,7 @@ spec = do
 -- | The elements that have bands, with the colours of these.
 coloured :: Scene -> RadiosityFigure -> [(LitElement, Shade)]
 coloured scene figure =
-  [(e, shade) | e <- radiosityElements figure, Just shade <- [Map.lookup (sideName' (elementSide e)) shadesOf]]
+  [(e, shade) | e <- radiosityElements figure, Just shade <- [Map.lookup (sideName' (litSide e)) shadesOf]]
   where
     shadesOf =
       Map.fromList [(name, shade) | Mark name (Band shade) _ <- marksIn "bands" (radiosityDrawing scene figure)]
@@ -124,4 +124,4 @@ forAllFigures check =
      in forAll (vectorOf (length elements') (frequency [(1, pure 0), (5, (10 **) <$> choose (-4, 2))])) $ \values ->
           forAll (elements [minBound .. maxBound]) $ \scaling ->
             forAll (take 2 <$> sublistOf (statedSides scene)) $ \chosen ->
-              check scene (directFigure scaling chosen (zipWith (\e v -> e {elementValue = v}) elements' values))
+              check scene (directFigure scaling chosen (zipWith (\e v -> e {litValue = v}) elements' values))

@@ -1,0 +1,63 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What figures show of elements: their form factors, and their radiosities.
+module Visibility.Draw.Light
+  ( elementMatrix
+  , lightFigure
+  ) where
+
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import Visibility.Draw.Matrix (Group (..), Matrix (..))
+import Visibility.Draw.Radiosity (LitElement (..), RadiosityFigure (..))
+import Visibility.Draw.Values (Scaling)
+import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Exact.Rounding (nearestDouble)
+import Visibility.FormFactor (NearestRow (..))
+import Visibility.Mesh.Element (Element (..), Refined (..), elementEnds, elementNames)
+import Visibility.Radiosity (Lit (..), Radiosity (..))
+import Visibility.Scene
+
+-- | The matrix of the form factors of elements, by the sides that they are on.
+--
+-- /Laws/ those of 'Visibility.Draw.Matrix.factorMatrix'.
+elementMatrix :: Refined -> [NearestRow] -> Matrix Seen
+elementMatrix cut rows =
+  Matrix
+    { matrixTitle = "Form factors of the elements of " <> fromMaybe "an untitled scene" (sceneTitle scene)
+    , matrixQuantity = "form factor"
+    , matrixThings = "elements"
+    , matrixGroups = "sides"
+    , matrixRows = sidesOfFile
+    , matrixColumns = sidesOfFile <> [Group "sky" [TheSky] | surroundings scene == OpenSky]
+    , matrixName = nameOf
+    , matrixEntries = [(TheSide (rowFrom row), to, value) | row <- rows, (to, value) <- rowFactors row]
+    }
+  where
+    scene = refinedScene cut
+    sidesOfFile = [Group (Text.pack (sideText side)) (map TheSide members) | (side, members) <- Map.toList bySide]
+    bySide = Map.fromListWith (flip (<>)) [(elementSide e, [elementIn e]) | e <- refinedElements cut]
+    names = elementNames cut
+    nameOf seen = Text.pack $ case seen of
+      TheSide name -> names name
+      TheSky -> seenText TheSky
+
+-- | The radiosities of elements, each the Double nearest to the middle of its bounds, with profiles along some sides.
+lightFigure :: Scaling -> [SideName] -> Refined -> Radiosity -> RadiosityFigure
+lightFigure scaling profiles cut found =
+  RadiosityFigure
+    { radiosityQuantity = "radiosity"
+    , radiosityScaling = scaling
+    , radiosityProfiles = profiles
+    , radiosityElements = map lit (litElements found)
+    }
+  where
+    lit l =
+      LitElement
+        { litSide = elementSide (litElement l)
+        , litFrom = elementFrom (litElement l)
+        , litTo = elementTo (litElement l)
+        , litEnds = elementEnds cut (litElement l)
+        , litValue = let (low, high) = litRadiosity l in nearestDouble (RootSum.rational ((low + high) / 2))
+        }
