@@ -37,14 +37,14 @@ squareAndWall wall k = sampleScene <$> sample (RawScene Nothing Nothing (map loo
 
 document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
-  lines . Lazy.unpack . toLazyByteString . factorsDocument format detail wanted scene $
+  lines . Lazy.unpack . toLazyByteString . factorsDocument format detail wanted OwnNames scene $
     formFactors scene (measures scene (vertices scene))
   where
     wanted = fromMaybe defaultDigits (digits 4)
 
 doubles :: FactorFormat -> Scene -> String
 doubles format scene =
-  Lazy.unpack (toLazyByteString (nearestDocument format scene (nearestFactors scene (measures scene (vertices scene)))))
+  Lazy.unpack (toLazyByteString (nearestDocument format OwnNames scene (nearestFactors scene (measures scene (vertices scene)))))
 
 -- | The lengths that a JSON document tells, as text and as numbers, with the number of its sides.
 lengthsIn :: String -> Maybe (Int, [(String, Rational)])
