@@ -14,10 +14,9 @@ module Visibility.Mesh.Element
   , unrefined
   ) where
 
-import Data.List (sortOn)
+import Data.Function (on)
+import Data.List (groupBy)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
-import qualified Data.Vector as V
 import Visibility.Exact.Point (Point)
 import Visibility.Mesh.Span
 import Visibility.Mesh.Type
@@ -54,30 +53,24 @@ data Refined = Refined
 
 -- | The elements between the break points of a mesh.
 --
--- /Degenerate cases/ where a side is covered in part, the pieces that are not covered are cut each for itself, and what
--- is covered belongs to no element. A side that is all covered has none.
+-- /Degenerate cases/ the two faces of a thin wall are cut at the break points of both. Where a side is covered in part,
+-- the pieces that are not covered are cut each for itself, and what is covered belongs to no element. A side that is
+-- all covered has none.
 --
 -- /Cost/ O(n log n) in the corners of the mesh's scene and its break points.
 --
 -- /Laws/ the elements of a side follow each other without gaps where it is not covered. Σ over the elements t_k of t of
 -- F(s, t_k) is F(s, t), and Σ over those of s of |s_k| F(s_k, t) is |s| F(s, t); both exact.
 refined :: Mesh -> Refined
-refined mesh = Refined cut (zipWith ($) (concatMap elementsOn (statedSides scene)) (statedSides cut))
+refined mesh = Refined cut (concatMap numbered (groupBy ((==) `on` fst) (zip owners (statedSides cut))))
   where
     scene = meshScene mesh
-    cut = withFlatCorners (map breakAt . breaksOn mesh) scene
-    spans = pieceSpans scene
-    elementsOn side = [Element side k from to | (k, (from, to)) <- zip [0 ..] (concatMap partsOf (pieces side))]
-    pieces = sortOn low . fromMaybe [] . piecesOf scene
-    low s = let (a, b) = endsOf s in min a b
-    endsOf (SideId s) = let piece = spans V.! s in (spanStart piece, spanEnd piece)
-    partsOf s
-      | a < b = parts
-      | otherwise = reverse [(to, from) | (from, to) <- parts]
+    (cut, owners) = withFlatCorners (map breakAt . breaksOn mesh) scene
+    numbered parts = [element side k part | (k, (side, part)) <- zip [0 ..] parts]
+    element side k part = Element side k (along from) (along to) part
       where
-        (a, b) = endsOf s
-        parts = zip stops (drop 1 stops)
-        stops = a : map breakParameter (breaksOn mesh s) <> [b]
+        (from, to) = sideEnds cut part
+        along = parameterOn (sideEnds scene side)
 
 -- | By the name of a side in the scene of the elements, the name of the element.
 elementNames :: Refined -> SideName -> String

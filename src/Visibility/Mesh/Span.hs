@@ -2,6 +2,7 @@
 module Visibility.Mesh.Span
   ( Span (..)
   , pieceSpans
+  , parameterOn
   , pointOn
   ) where
 
@@ -25,14 +26,16 @@ data Span = Span
 pieceSpans :: Scene -> V.Vector Span
 pieceSpans scene = V.fromList (map spanOf (sides scene))
   where
-    spanOf s = Span from to (parameter from to (sideStart s)) (parameter from to (sideEnd scene s))
+    spanOf s = Span from to (parameter (sideStart s)) (parameter (sideEnd scene s))
       where
         (from, to) = sideEnds scene (sideName scene s)
-    parameter (Point ax ay) (Point bx by) c
-      | ax /= bx = (x - ax) / (bx - ax)
-      | otherwise = (y - ay) / (by - ay)
-      where
-        Point x y = cornerPoint scene c
+        parameter = parameterOn (from, to) . cornerPoint scene
+
+-- | Where a point of a segment lies on it, from 0 at its first end to 1. /Requires/ a segment of some length.
+parameterOn :: (Point, Point) -> Point -> Rational
+parameterOn (Point ax ay, Point bx by) (Point x y)
+  | ax /= bx = (x - ax) / (bx - ax)
+  | otherwise = (y - ay) / (by - ay)
 
 -- | The point of a side of the file at a parameter.
 pointOn :: Span -> Rational -> Point

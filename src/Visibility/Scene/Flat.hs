@@ -5,6 +5,9 @@ module Visibility.Scene.Flat
 
 import Data.Int (Int32)
 import Data.List (sortBy)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import Data.Tuple (swap)
 import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
@@ -23,28 +26,18 @@ import Visibility.Sorting
 -- Nothing else changes: where solid is and where free space, what touches, the lattice. A new corner has a denominator
 -- of its own, and the polygons are stated as they were.
 --
--- /Degenerate cases/ the two faces of a thin wall have corners of their own. What is covered of a side is no element.
+-- With it come the sides of the given scene that its sides are elements of, in their order.
+--
+-- /Degenerate cases/ a corner of a thin wall is a corner of both its faces, and cuts both. What is covered of a side is
+-- no element.
 --
 -- /Requires/ points strictly between the ends of each piece. /Cost/ O(n log n) in the corners of the new scene.
 --
 -- /Laws/ it obeys all laws of a scene; the measures of a side's elements add up to those of the side.
-withFlatCorners :: (SideId -> [Point]) -> Scene -> Scene
-withFlatCorners cuts scene =
-  scene
-    { scenePoints = points
-    , neighbourTable = neighbours
-    , placeNumbers = places
-    , hasSharedPlaces = hasSharedPlaces scene || U.or (U.zipWith (==) places (U.drop 1 places))
-    , splitEnds = splitEndsOf points neighbours
-    , sceneStated = stated
-    , statedPlaceNumbers = statedNumbers
-    , namingCorners = U.map (names U.!) sorted
-    , facedSides = faced
-    , statedByPlace = bucketsOf statedNumbers
-    , piecesBySide = bucketsBy (statedSideTotal stated) faced
-    }
+withFlatCorners :: (SideId -> [Point]) -> Scene -> (Scene, [SideName])
+withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) | c <- U.toList elements])
   where
-    walks = walksThrough cuts scene
+    walks = walksThrough (cutsOfBothFaces cuts scene) scene
     total = V.length (spots walks)
     -- Corners in one place stay in their order, those of one face of a wall before those of the other.
     sorted = U.modify (Intro.sortBy (\a b -> compareSpots walks a b <> compare a b)) (U.enumFromN 0 total)
@@ -57,6 +50,32 @@ withFlatCorners cuts scene =
     byStart = U.update_ (U.replicate total 0) elements (U.enumFromN 0 (U.length elements))
     statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
     places = U.map (\c -> statedNumbers U.! fromIntegral (names U.! c)) sorted
+    cut =
+      scene
+        { scenePoints = points
+        , neighbourTable = neighbours
+        , placeNumbers = places
+        , hasSharedPlaces = hasSharedPlaces scene || U.or (U.zipWith (==) places (U.drop 1 places))
+        , splitEnds = splitEndsOf points neighbours
+        , sceneStated = stated
+        , statedPlaceNumbers = statedNumbers
+        , namingCorners = U.map (names U.!) sorted
+        , facedSides = faced
+        , statedByPlace = bucketsOf statedNumbers
+        , piecesBySide = bucketsBy (statedSideTotal stated) faced
+        }
+
+-- | The points on each piece, together with those on the other face of it if it is one of a thin wall: there the same
+-- two places are joined the other way round.
+cutsOfBothFaces :: (SideId -> [Point]) -> Scene -> SideId -> [Point]
+cutsOfBothFaces cuts scene = \s -> case Map.lookup (swap (ends s)) faces of
+  Just other | more@(_ : _) <- cuts other -> inOrder s (Set.fromList (cuts s <> more))
+  _ -> cuts s
+  where
+    faces = Map.fromList [(ends s, s) | s <- sides scene]
+    ends s = (place (sideStart s), place (sideEnd scene s))
+    place (CornerId c) = placeNumbers scene U.! c
+    inOrder s = if uncurry (<) (ends s) then Set.toAscList else Set.toDescList
 
 -- | The boundary of free space with its new corners. The old corners keep their numbers here, and the new ones come after
 -- them, piece by piece.
