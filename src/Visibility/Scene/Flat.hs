@@ -14,6 +14,7 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Scene.Id
 import Visibility.Scene.Outline (ownersFrom)
+import Visibility.Scene.Raw (Form (..))
 import Visibility.Scene.Stated
 import Visibility.Scene.Type
 import Visibility.Sorting
@@ -24,7 +25,7 @@ import Visibility.Sorting
 -- A polygon's corners keep their names, and the new ones are numbered on after them, in the order of the elements.
 --
 -- Nothing else changes: where solid is and where free space, what touches, the lattice. A new corner has a denominator
--- of its own, and the polygons are stated as they were.
+-- of its own.
 --
 -- With it come the sides of the given scene that its sides are elements of, in their order.
 --
@@ -50,6 +51,8 @@ withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) 
     byStart = U.update_ (U.replicate total 0) elements (U.enumFromN 0 (U.length elements))
     statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
     places = U.map (\c -> statedNumbers U.! fromIntegral (names U.! c)) sorted
+    newOn side = [spots walks V.! c | c <- map (elements U.!) (bucketOf bySide side), c >= oldTotal walks]
+    bySide = bucketsBy (statedSideTotal (sceneStated scene)) (U.map (\c -> facedSides scene U.! (piece walks U.! c)) elements)
     cut =
       scene
         { scenePoints = points
@@ -63,7 +66,25 @@ withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) 
         , facedSides = faced
         , statedByPlace = bucketsOf statedNumbers
         , piecesBySide = bucketsBy (statedSideTotal stated) faced
+        , scenePolygons = zipWith (restated scene newOn) [0 ..] (scenePolygons scene)
         }
+
+-- | A polygon, by number, stated with its new corners, which are given by the sides of the file, in the order of each.
+restated :: Scene -> (Int -> [LatticePoint]) -> Int -> Polygon -> Polygon
+restated scene newOn p polygon =
+  polygon {polygonPoints = concat (zipWith (:) (polygonPoints polygon) (map onPiece (take segments [0 ..]) <> [[]]))}
+  where
+    stated = sceneStated scene
+    first = statedSideFirsts stated U.! p
+    total = statedSideFirsts stated U.! (p + 1) - first
+    segments = case polygonForm polygon of
+      Ring -> total
+      Polyline -> total `quot` 2
+    -- The corners that are new on a side of the file, or on the other face of a piece of a wall.
+    onPiece k = case (polygonForm polygon, onSide (first + k)) of
+      (Polyline, []) -> reverse (onSide (first + total - 1 - k))
+      (_, found) -> found
+    onSide = map (fromLattice (sceneLattice scene)) . newOn
 
 -- | The points on each piece, together with those on the other face of it if it is one of a thin wall: there the same
 -- two places are joined the other way round.
