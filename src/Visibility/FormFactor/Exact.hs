@@ -86,12 +86,13 @@ exactSums scene terms groups =
 
 -- | The measure of a group, in the file's units, terms merged.
 groupSums :: Scene -> Terms -> Groups -> Int -> RootSum
-groupSums scene terms groups g =
-  RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
+groupSums scene terms groups = summed
   where
     scale = latticeScale (sceneLattice scene)
-    found = groupTerms weigh [] groups g
-    common = foldl' (\sofar (_, w, _) -> if w == 1 then sofar else lcm sofar w) 1 found
+    summed g = RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
+      where
+        found = groupTerms weigh [] groups g
+        common = foldl' (\sofar (_, w, _) -> if w == 1 then sofar else lcm sofar w) 1 found
     weigh sums slot k = let Distance n w root = roots V.! slot in (toInteger k * n, w, root) : sums
     -- Made when they are first needed, and once.
     roots = V.generate (slotCount terms) (rootAlong scene . slotEnds terms)

@@ -28,7 +28,7 @@ spec =
               , map (cornerName flat) (corners flat) === map (cornerName scene) (corners scene)
               , statedCorners flat === statedCorners scene
               ]
-    modifyMaxSuccess (* 5) $ do
+    modifyMaxSuccess (* 2) $ do
       it "is swept as brute force finds its vertices" $
         forAllCut $ \_ flat _ -> sort (vertices flat) === bruteForce flat
       it "obeys all laws of the complex" $
