@@ -235,9 +235,9 @@ commands =
           [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
           , ("its dual: lines as points", "viscomplex draw dual scenes/room.json -o room-dual.svg")
           , ("its form factors", "viscomplex draw matrix scenes/room.json -o room-matrix.svg")
-          , ("its light, on the elements of the mesh", "viscomplex draw radiosity scenes/room.json --mesh discontinuity --profile E.0")
+          , ("its light, with a profile along a side", "viscomplex draw radiosity scenes/room.json --profile E.0")
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
-          , ("where shadows end, with the lines", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
+          , ("where shadows end", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
           ]
           ""
     reportHelp =

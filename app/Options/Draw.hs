@@ -76,9 +76,18 @@ figureName =
     )
 
 saidBesides :: Parser Said
-saidBesides = Said <$> optional breaksGiven <*> optional meshGiven <*> optional mostGiven <*> casting <*> logarithmic <*> profiles
+saidBesides =
+  Said
+    <$> optional breaksGiven
+    <*> optional meshGiven
+    <*> optional mostGiven
+    <*> casting
+    <*> logarithmic
+    <*> profiles
   where
-    casting = flag Nothing (Just WithLines) (long "lines" <> help "Of a mesh: draw the lines that cast the break points too.")
+    casting =
+      flag Nothing (Just WithLines) $
+        long "lines" <> help "Of a mesh: draw the lines that cast the break points too."
     logarithmic = flag Nothing (Just Logarithmic) (long "log" <> help "Of radiosity: a logarithmic scale of colours.")
     profiles =
       many . option (nameReader SideName) $
@@ -103,7 +112,11 @@ figured name said from = case (name, from) of
     chosen <- elements
     Right $
       LightFigure
-        (LightOptions (fromMaybe (ElementsOf wholeMesh) chosen) (fromMaybe Linear (saidScaling said)) (saidProfiles said))
+        LightOptions
+          { lightElements = fromMaybe (ElementsOf wholeMesh) chosen
+          , lightScaling = fromMaybe Linear (saidScaling said)
+          , lightProfiles = saidProfiles said
+          }
   where
     elements = elementsFrom (saidMesh said) (saidMost said)
     unsaid = sequence_

@@ -21,7 +21,11 @@ data RadiosityOptions = RadiosityOptions
 
 -- | The options, or what does not go together.
 radiosityOptions :: Parser (Either String RadiosityOptions)
-radiosityOptions = (\chosen within' exact' -> chosen >>= combined within' exact') <$> elementsGiven <*> optional within <*> optional exact
+radiosityOptions =
+  (\chosen within' exact' -> chosen >>= combined within' exact')
+    <$> elementsGiven
+    <*> optional within
+    <*> optional exact
   where
     within =
       option

@@ -140,8 +140,8 @@ roomWithWall = RawScene Nothing (Just (rawPolygon (points [(0, 0), (4, 0), (4, 4
     wall' = rawPolygon (points [(1, 2), (3, 2)])
     points = map (uncurry Point)
 
--- | Two break points, or ends of a side, that follow each other, and the next one if there is one; on all sides of rings.
--- A wall has free space on both sides, so what is seen from a point of it says less.
+-- | Two break points, or ends of a side, that follow each other, and the next one if there is one; on all sides of
+-- rings. A wall has free space on both sides, so what is seen from a point of it says less.
 data Window = Window SideName Point Point (Maybe Point)
   deriving (Show)
 

@@ -41,7 +41,8 @@ meshDrawing :: CastingLines -> Mesh -> Drawing
 meshDrawing wanted mesh =
   Drawing
     { drawingTitle = title
-    , drawingDescription = "Polygons of the scene and the break points of their sides: " <> Text.intercalate ", " facts <> "."
+    , drawingDescription =
+        "Polygons of the scene and the break points of their sides: " <> Text.intercalate ", " facts <> "."
     , drawingWidth = canvasWidth
     , drawingHeight = top + 40
     , drawingLayers =
@@ -131,7 +132,10 @@ breakMark scene frame piece side point =
 -- | The lines of all casters of a break point, shadow limits above.
 lineMarks :: Scene -> Frame -> BreakPoint -> [Mark]
 lineMarks scene frame point =
-  [ Mark (nameOf near <> " " <> nameOf far) (lineStyle kind) (Polyline [placeOfPoint scene frame (breakAt point), place far])
+  [ Mark
+      (nameOf near <> " " <> nameOf far)
+      (lineStyle kind)
+      (Polyline [placeOfPoint scene frame (breakAt point), place far])
   | Caster kind near far <- reverse (breakCasters point)
   ]
   where

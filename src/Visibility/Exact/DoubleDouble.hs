@@ -37,11 +37,12 @@ import Visibility.Exact.IntegerRoot (bitLength, integerSquareRoot)
 -- 8u²N, and |e| <= 3.1uN. From √N = s + e/(2s) − e²/(8s³) + …, t = fl(e/(2s)) is off by at most
 -- (8u²N)/(2s) + 1.6u²s + 1.3u²s < 8u²ℓ.
 --
--- 'scaledLength' keeps the 128 leading bits, or up to two more, of the longer coordinate and the same places of the other
--- one, in units of the last place kept: the vector is 2^127 or longer, and each coordinate loses less than 1 (a shift to
--- the right and then a division by w round down once: floor(floor(a/2^s)/w) is floor(a/(2^s w))). So the length loses
--- less than √2 (triangle inequality), the integer root of the sum of squares less than 1 more: less than 2^-125 of it.
--- The root has 128 bits or more; truncating it to 106 loses at most 2^-105. Together that is below 3u², and t < 2^-52 s.
+-- 'scaledLength' keeps the 128 leading bits, or up to two more, of the longer coordinate and the same places of the
+-- other one, in units of the last place kept: the vector is 2^127 or longer, and each coordinate loses less than 1 (a
+-- shift to the right and then a division by w round down once: floor(floor(a/2^s)/w) is floor(a/(2^s w))). So the
+-- length loses less than √2 (triangle inequality), the integer root of the sum of squares less than 1 more: less than
+-- 2^-125 of it. The root has 128 bits or more; truncating it to 106 loses at most 2^-105. Together that is below 3u²,
+-- and t < 2^-52 s.
 --
 -- A sum of k lengths with signs keeps Σs as a + b: a is the floating-point sum, each step's exact loss (Knuth's
 -- two-sum) and t are added to b. With A = Σs, every partial a is at most A(1 + ku), a loss at most uA(1 + ku), so b

@@ -51,7 +51,8 @@ plus (Interval a b) (Interval c d) = Interval (a + c) (b + d)
 
 -- | The products of the numbers of one and of the other. /Requires/ that no number in them is negative.
 times :: BinaryPlaces -> Interval -> Interval -> Interval
-times (BinaryPlaces w) (Interval a b) (Interval c d) = Interval ((a * c) `shiftR` w) (negate (negate (b * d) `shiftR` w))
+times (BinaryPlaces w) (Interval a b) (Interval c d) =
+  Interval ((a * c) `shiftR` w) (negate (negate (b * d) `shiftR` w))
 
 -- | The multiples by a rational that is not negative.
 multiple :: Rational -> Interval -> Interval

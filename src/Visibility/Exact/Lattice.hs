@@ -71,7 +71,8 @@ data Lattice = Lattice !Integer !Vector2
 latticeFor :: [Point] -> Lattice
 latticeFor points = latticeOver (const points) [()]
 
--- | The same for the points of several things, which are looked at anew in each of several passes: so none need be kept.
+-- | The same for the points of several things, which are looked at anew in each of several passes: so none need be
+-- kept.
 latticeOver :: (a -> [Point]) -> [a] -> Lattice
 latticeOver pointsOf items = case foldl' (\found item -> foldl' widened found (pointsOf item)) Nothing items of
   Nothing -> Lattice 1 (Vector2 0 0)
@@ -204,7 +205,8 @@ placeList places = map (placeAt places) [0 .. placeCount places - 1]
 
 -- | The order of two of them.
 comparePlacesAt :: Places -> Int -> Int -> Ordering
-comparePlacesAt (SmallPlaces xs) i j = compare (xs U.! (2 * i)) (xs U.! (2 * j)) <> compare (xs U.! (2 * i + 1)) (xs U.! (2 * j + 1))
+comparePlacesAt (SmallPlaces xs) i j =
+  compare (xs U.! (2 * i)) (xs U.! (2 * j)) <> compare (xs U.! (2 * i + 1)) (xs U.! (2 * j + 1))
 comparePlacesAt (LargePlaces points) i j = comparePlaces (points V.! i) (points V.! j)
 {-# INLINE comparePlacesAt #-}
 

@@ -92,7 +92,8 @@ kernelFor arithmetic places = case arithmetic of
   Exact -> IntegerKernel
   RationalBaseline -> RationalKernel (V.fromList [let (x, y) = coordinates p in Point x y | p <- placeList places])
   UnsafeDouble ->
-    DoubleKernel (U.fromList (concat [[scaledDouble k x w, scaledDouble k y w] | LatticePoint x y w <- placeList places]))
+    DoubleKernel $
+      U.fromList (concat [[scaledDouble k x w, scaledDouble k y w] | LatticePoint x y w <- placeList places])
   Filtered -> case places of
     SmallPlaces xs -> MachineKernel xs
     LargePlaces points -> FilterKernel (U.fromList (concatMap bounded (V.toList points)))
@@ -122,9 +123,9 @@ scaledExactly k x w
   | k >= 0 = x % (w * 2 ^ k)
   | otherwise = (x * 2 ^ negate k) % w
 
--- | A bound on |x/w·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers the
--- relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070 whatever
--- is lost below the normal range.
+-- | A bound on |x/w·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers
+-- the relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070
+-- whatever is lost below the normal range.
 errorBound :: Int -> Integer -> Integer -> Double -> Double
 errorBound k x w d
   | toRational d == scaledExactly k x w = 0

@@ -100,8 +100,8 @@ groupSums scene terms groups = summed
 -- | A distance on the lattice: a multiple of a root, the factor a fraction.
 data Distance = Distance !Integer !Integer !RootSum.PreparedRoot
 
--- | The distance of a slot in lengths of the primitive lattice vector along the line of its vertex: between whole points
--- t is an integer multiple of one root.
+-- | The distance of a slot in lengths of the primitive lattice vector along the line of its vertex: between whole
+-- points t is an integer multiple of one root.
 rootAlong :: Scene -> (Int, Int, Int) -> Distance
 rootAlong scene (a, b, c) =
   Distance (if px == 0 then y `quot` py else x `quot` px) w (RootSum.preparedRoot (px * px + py * py))

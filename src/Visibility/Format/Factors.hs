@@ -63,7 +63,8 @@ factorsDocument format detail wanted naming scene factors =
 -- /Degenerate cases/ a length that no positive Double is near to, being too large or too small, is the decimal of
 -- 'defaultDigits' that 'factorsDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
 nearestDocument :: FactorFormat -> Naming -> Scene -> [NearestRow] -> Builder
-nearestDocument format naming scene rows = document format naming (lengthBytes . sideLength scene) scene "from,to,value\n" entries
+nearestDocument format naming scene rows =
+  document format naming (lengthBytes . sideLength scene) scene "from,to,value\n" entries
   where
     lengthBytes exact
       | nearest > 0 && not (isInfinite nearest) = toShortest nearest

@@ -74,8 +74,8 @@ pairKeys scene names selection = case selection of
     direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in pairOf (min a b) (max a b)
     ranks = U.map fromIntegral (cornerRanks scene)
 
--- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins and
--- the last ends; and by polygon, the enclosure last, the rank of its corner 0.
+-- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins
+-- and the last ends; and by polygon, the enclosure last, the rank of its corner 0.
 data Names = Names
   { nameBytes :: !(PrimArray Word8)
   , nameStarts :: !(U.Vector Int)

@@ -17,9 +17,9 @@ import Visibility.Scene
 -- | A mesh, and the break points that were dropped from it.
 --
 -- /Shape/ @sides@, an entry for each side of the file, by name: @id@; @points@ by ascending parameter; @dropped@
--- likewise, if there are any. A point has @at@, @parameter@, @kind@; unless it cuts a side into equal parts, @caster@, the
--- corner nearer to the point first; and if there are more casters @others@, each with its own @kind@. All numbers are
--- exact, as strings.
+-- likewise, if there are any. A point has @at@, @parameter@, @kind@; unless it cuts a side into equal parts, @caster@,
+-- the corner nearer to the point first; and if there are more casters @others@, each with its own @kind@. All numbers
+-- are exact, as strings.
 --
 -- /Requires/ two meshes of one scene.
 meshDocument :: Mesh -> Mesh -> Builder

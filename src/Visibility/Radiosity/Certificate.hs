@@ -42,8 +42,8 @@ import Visibility.Scene.Raw (Material (..))
 -- v is computed in Doubles, in units of 2^s for which |r| <= 1, as long as c <= 2^400. Products and sums lose a factor
 -- (1 − 2^-53)^n at most, or 2^-1075 for each product; F <= x (1 + 2^-52) + 2^-1074. So with the computed sum σ,
 -- ΣFv <= (σ + n 2^-600)(1 + (n + 8) 2^-52), its own roundings included; and two more operations lose less than the
--- factor 1 + 2^-50. Where something is reflected the residual is an interval of some width, so r is 2^-900 at least, and
--- a product below the range of Doubles is nothing beside it.
+-- factor 1 + 2^-50. Where something is reflected the residual is an interval of some width, so r is 2^-900 at least,
+-- and a product below the range of Doubles is nothing beside it.
 
 -- | What an equation lacks, and the light that a guess sends: Σ F_ij X_j.
 data Residual = Residual

@@ -180,9 +180,9 @@ insideArc o x (a, b) c = case to a b of
   where
     to = turn (rankedPoints (outlineRanked o)) x
 
--- | The corners of the boundary of free space, in the places of stated corners: where the face of a side, or what is not
--- covered of it, begins if free space is kept on the right. In the order of places; in one place by name, and then by
--- side.
+-- | The corners of the boundary of free space, in the places of stated corners: where the face of a side, or what is
+-- not covered of it, begins if free space is kept on the right. In the order of places; in one place by name, and then
+-- by side.
 data Boundary = Boundary
   { statedNumbers :: !(U.Vector Int32)
   -- ^ By stated corner: the number of its place among all places with corners, in lexicographic order.
@@ -196,8 +196,8 @@ data Boundary = Boundary
   -- ^ The corner where that ends.
   }
 
--- | A face of a side, or an uncovered piece of it: from one place to another, free space on its right, with the number of
--- the side. Places are given by stated corners.
+-- | A face of a side, or an uncovered piece of it: from one place to another, free space on its right, with the number
+-- of the side. Places are given by stated corners.
 type Face = (Int32, Int32, Int32)
 
 -- | All corners of the boundary.
@@ -285,7 +285,11 @@ exposed o found
     cuts = IntMap.fromListWith (<>) [(s, [i]) | OnSegment i s <- found]
     -- What lies along one piece; each is alone where nothing meets.
     together =
-      Map.fromListWith (<>) [((placeOf o low, placeOf o high), [piece]) | piece@(low, high, _) <- concatMap piecesOf (polygonIndices o)]
+      Map.fromListWith
+        (<>)
+        [ ((placeOf o low, placeOf o high), [piece])
+        | piece@(low, high, _) <- concatMap piecesOf (polygonIndices o)
+        ]
     piecesOf p =
       [ (low, high, occupant)
       | s <- segmentStarts o p

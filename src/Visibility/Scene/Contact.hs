@@ -36,7 +36,8 @@ data Ranked = Ranked
 ranked :: Places -> Ranked
 ranked places = Ranked (pointsOn Filtered places) $ case places of
   SmallPlaces xs -> xs
-  LargePlaces points -> interleaved (ranksOf (V.map (fst . coordinates) points)) (ranksOf (V.map (snd . coordinates) points))
+  LargePlaces points ->
+    interleaved (ranksOf (V.map (fst . coordinates) points)) (ranksOf (V.map (snd . coordinates) points))
   where
     ranksOf table = denseRanks (\i j -> compare (table V.! i) (table V.! j)) (V.length table)
     interleaved xs ys = U.generate (2 * U.length xs) (\k -> (if even k then xs else ys) U.! (k `quot` 2))

@@ -52,7 +52,10 @@ withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) 
     statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
     places = U.map (\c -> statedNumbers U.! fromIntegral (names U.! c)) sorted
     newOn side = [spots walks V.! c | c <- map (elements U.!) (bucketOf bySide side), c >= oldTotal walks]
-    bySide = bucketsBy (statedSideTotal (sceneStated scene)) (U.map (\c -> facedSides scene U.! (piece walks U.! c)) elements)
+    bySide =
+      bucketsBy
+        (statedSideTotal (sceneStated scene))
+        (U.map (\c -> facedSides scene U.! (piece walks U.! c)) elements)
     cut =
       scene
         { scenePoints = points
@@ -98,8 +101,8 @@ cutsOfBothFaces cuts scene = \s -> case Map.lookup (swap (ends s)) faces of
     place (CornerId c) = placeNumbers scene U.! c
     inOrder s = if uncurry (<) (ends s) then Set.toAscList else Set.toDescList
 
--- | The boundary of free space with its new corners. The old corners keep their numbers here, and the new ones come after
--- them, piece by piece.
+-- | The boundary of free space with its new corners. The old corners keep their numbers here, and the new ones come
+-- after them, piece by piece.
 data Walks = Walks
   { spots :: !(V.Vector LatticePoint)
   , piece :: !(U.Vector Int)
@@ -183,7 +186,8 @@ statedAnew scene walks elements = (stated, names)
       if c < n then oldNumbers U.! fromIntegral (namingCorners scene U.! c) else newNumbers U.! c
     placesOf p = map (placeAt (statedPlaces old)) (oldMembers p) <> map (spots walks V.!) (newMembers p)
     sideFirsts =
-      U.scanl' (+) 0 (U.accumulate (+) (U.replicate (length polygons) 0) (U.map (\c -> (fromIntegral (owner c), 1)) elements))
+      U.scanl' (+) 0 $
+        U.accumulate (+) (U.replicate (length polygons) 0) (U.map (\c -> (fromIntegral (owner c), 1)) elements)
     stated =
       old
         { statedPlaces = placesFrom (concatMap placesOf polygons)

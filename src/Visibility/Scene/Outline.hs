@@ -134,8 +134,8 @@ sideFirsts o = U.fromList (scanl (+) 0 (map sides (polygonIndices o)))
       Polyline -> 2 * (size p - 1)
     size p = outlineFirst o U.! (p + 1) - outlineFirst o U.! p
 
--- | By 'sideFirsts', the number of the side that starts at a corner; of a thin wall, of the face on the right of the way
--- from there.
+-- | By 'sideFirsts', the number of the side that starts at a corner; of a thin wall, of the face on the right of the
+-- way from there.
 sideNumberOf :: Outline -> U.Vector Int -> Int -> Int
 sideNumberOf o firsts i = firsts U.! p + i - outlineFirst o U.! p
   where

@@ -152,7 +152,8 @@ assemble title touching shapes o boundary =
     neighbours = neighboursAlong (freeNexts boundary)
     places = U.map (\i -> statedNumbers boundary U.! fromIntegral i) (freePlaces boundary)
     polygons = zipWith polygon shapes [0 ..]
-    polygon shape@(p, raw) k = Polygon p (shown <$> rawPolygonName raw) (formOf shape) (map (outlinePoint o) (cornersOf o k))
+    polygon shape@(p, raw) k =
+      Polygon p (shown <$> rawPolygonName raw) (formOf shape) (map (outlinePoint o) (cornersOf o k))
     shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
 -- | 'neighbourTable' from the corner that follows each.
@@ -325,7 +326,8 @@ piecesOf scene name = map SideId . bucketOf (piecesBySide scene) <$> statedSideN
 sideSpan :: Scene -> SideName -> Way
 sideSpan scene = statedWay (sceneStated scene) . sideNumber scene
 
--- | Where a side of the file begins and ends in the order of the file, whatever covers it. /Requires/ the name of a side.
+-- | Where a side of the file begins and ends in the order of the file, whatever covers it. /Requires/ the name of a
+-- side.
 sideEnds :: Scene -> SideName -> (Point, Point)
 sideEnds scene name = (end 0, end 1)
   where

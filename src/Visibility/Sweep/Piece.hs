@@ -88,6 +88,7 @@ pieceNeighbours make piece@(Piece written) = U.unfoldrN (sizeofPrimArray written
 
 -- | The piece with each corner replaced by what a table says of it.
 renamed :: U.Vector Int32 -> Piece -> Piece
-renamed table (Piece written) = Piece (mapPrimArray (\c -> if c < 0 then complement (new (complement c)) else new c) written)
+renamed table (Piece written) =
+  Piece (mapPrimArray (\c -> if c < 0 then complement (new (complement c)) else new c) written)
   where
     new c = table U.! fromIntegral c

@@ -11,8 +11,8 @@ import Visibility.Sweep.Topological
 -- | The vertices with directions up to 0°, which is one of them, and those beyond it. Either stream can be evaluated
 -- without the other.
 --
--- /Cost/ of each that of 'vertices' to start, and O(n log n) to turn the scene for the second; then O(1) for each of its
--- pairs and chain steps.
+-- /Cost/ of each that of 'vertices' to start, and O(n log n) to turn the scene for the second; then O(1) for each of
+-- its pairs and chain steps.
 --
 -- /Laws/ both together are the vertices of the scene; in the first followed by the second, each corner's vertices come
 -- by increasing direction.

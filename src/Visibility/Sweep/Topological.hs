@@ -4,7 +4,8 @@
 -- come by increasing direction.
 --
 -- A pure step from state to state. A state is an immutable value of O(n) numbers. 'vertices' makes the same steps in
--- place, on one state that nobody else sees, so that each costs O(1) and live memory is O(n) while the list is consumed.
+-- place, on one state that nobody else sees, so that each costs O(1) and live memory is O(n) while the list is
+-- consumed.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; Rafalin, Souvaine, Streinu for
 -- taking all collinear corners in one step.
@@ -82,8 +83,8 @@ verticesInPieces = sweptInPieces HalfTurn
 --
 -- /Cost/ that of 'vertices' to start, then O(1) for each of these pairs and chain step.
 --
--- /Laws/ @concatMap pieceVertices (quarterInPieces s)@ are those of @vertices s@ that do not rise, in some order of this
--- kind.
+-- /Laws/ @concatMap pieceVertices (quarterInPieces s)@ are those of @vertices s@ that do not rise, in some order of
+-- this kind.
 quarterInPieces :: Scene -> [Piece]
 quarterInPieces = sweptInPieces Quarter
 
@@ -209,8 +210,8 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
         then look ThenLeft size count depth swept p (listOwner l) p
         else go size count depth swept
 
-    -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is the
-    -- next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
+    -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is
+    -- the next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
     look which !size !count !depth !swept !p !a !b
       | Quarter <- extent, rises rightward a b = failed
       | hasSplitEnds scene = readyTracks scene right left a b >>= maybe failed tracks

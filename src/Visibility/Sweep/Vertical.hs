@@ -149,8 +149,8 @@ slabs scene = V.create $ do
 -- What is carried from place to place: the sides that the vertical meets, from below upwards, in a balanced tree in
 -- which a place is found by asking of sides whether they lie below a corner, and which is cut and joined there; its
 -- elements are never compared with each other, for an order of theirs would hold at one vertical only. And for each
--- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor: by floor the first
--- node, by node the next. The nodes are p for the corner p, and n + p for p as the end of a floor.
+-- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor: by floor the
+-- first node, by node the next. The nodes are p for the corner p, and n + p for p as the end of a floor.
 
 -- | Visits the places of corners against the heading and keeps the sides that cross the vertical. Tells for each place
 -- the first and the last corner there and the sides that cross the vertical after it; and for each corner what it meets

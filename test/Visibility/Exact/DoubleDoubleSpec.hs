@@ -49,7 +49,8 @@ spec = modifyMaxSuccess (* 20) $ do
     it "is in doubt exactly between two Doubles, and just beside the middle" $ do
       -- (2^54 - 1) / 2^55 has 54 digits; the length of (2^54, 0) is a Double.
       let by = scaledLength 54 (2 ^ (54 :: Int)) 0 1
-          near n = plusLength (plusLength noLengths (scaledLength 54 (2 ^ (54 :: Int)) 0 1) 1) (scaledLength 54 n 0 1) (-1)
+          near n =
+            plusLength (plusLength noLengths (scaledLength 54 (2 ^ (54 :: Int)) 0 1) 1) (scaledLength 54 n 0 1) (-1)
       nearestHalfQuotient (near 1) by `shouldBe` Nothing
       nearestHalfQuotient (near 2) by `shouldBe` Just (fromRational ((2 ^ (54 :: Int) - 2) % 2 ^ (55 :: Int)))
     it "is in doubt for a sum that may be zero" $

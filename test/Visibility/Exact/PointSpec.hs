@@ -69,7 +69,11 @@ spec = do
             both (x, y) = [x, y]
             -- The scale is a power of two that brings all below 1: recovered from one that is not zero.
             scaled k power = [(q * 2 ^^ power, d, e) | (q, (d, e)) <- column k]
-            fits k = or [and [abs (q - toRational d) <= toRational e && d <= 1 | (q, d, e) <- scaled k power] | power <- [-150 .. 150 :: Int]]
+            fits k =
+              or
+                [ and [abs (q - toRational d) <= toRational e && d <= 1 | (q, d, e) <- scaled k power]
+                | power <- [-150 .. 150 :: Int]
+                ]
          in counterexample (show stored) (fits 0 && fits 1)
       _ -> counterexample "no filter" False
 

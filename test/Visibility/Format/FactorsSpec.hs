@@ -44,7 +44,8 @@ document format detail scene =
 
 doubles :: FactorFormat -> Scene -> String
 doubles format scene =
-  Lazy.unpack (toLazyByteString (nearestDocument format OwnNames scene (nearestFactors scene (measures scene (vertices scene)))))
+  Lazy.unpack . toLazyByteString $
+    nearestDocument format OwnNames scene (nearestFactors scene (measures scene (vertices scene)))
 
 -- | The lengths that a JSON document tells, as text and as numbers, with the number of its sides.
 lengthsIn :: String -> Maybe (Int, [(String, Rational)])

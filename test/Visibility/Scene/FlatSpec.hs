@@ -50,7 +50,8 @@ spec =
               [ map (fmap length . piecesOf flat) (statedSides flat) === map (const (Just 1)) (statedSides flat)
               , sort (map fst owners) === sort (statedSides flat)
               , conjoin
-                  [ counterexample (show (part, owner)) (along whole' (a, b) && sideMaterial flat s == sideMaterial scene t)
+                  [ counterexample (show (part, owner)) $
+                      along whole' (a, b) && sideMaterial flat s == sideMaterial scene t
                   | (part, a, b) <- parts
                   , (owner, whole') <- [(o, (u, v)) | (o, u, v) <- whole, lookup part owners == Just o]
                   , s <- concat (piecesOf flat part)
