@@ -311,7 +311,7 @@ spec = do
         page <- output ["report", "--quick", "-o", folder </> "new"] ""
         lines page `shouldBe` [folder </> "new" </> "report.md"]
         text <- readFile (folder </> "new" </> "report.md")
-        for_ ["## Topology", "## Form factors", "## Cancellation", "## Hard cases"] $ \title ->
+        for_ ["## Topology", "## Form factors", "## Cancellation", "## Hard cases", "## Radiosity"] $ \title ->
           text `shouldContain` title
         written <- sort <$> listDirectory (folder </> "new")
         [name | name <- written, takeExtension name == ".csv"] `shouldBe` sort (map fst reportTables)
@@ -327,7 +327,9 @@ spec = do
             ]
             `shouldBe` []
           text `shouldContain` ("(" <> name <> ")")
-        let plots = words "topology random-30-largest random-30-median cancellation-free cancellation-occluded hard"
+        let plots =
+              words "topology random-30-largest random-30-median cancellation-free cancellation-occluded hard"
+                <> ["radiosity-" <> name <> by | name <- words "room round flat", by <- ["-elements", "-seconds"]]
         [name | name <- written, takeExtension name == ".svg"] `shouldBe` sort (map (<> ".svg") plots)
         for_ plots $ \name -> do
           svg <- readFile (folder </> "new" </> name <> ".svg")
@@ -512,6 +514,18 @@ reportTables =
       )
     )
   , ("hard.csv", ([("scenes", AWord), ("k", Whole), ("arithmetic", AWord)] <> verdict, 200))
+  , ( "radiosity.csv"
+    , ( [("scene", AWord), ("mesh", AWord), ("parameter", Perhaps Whole), ("elements", Whole)]
+          <> [(name, Number) | name <- words "seconds mean_error largest_error"]
+      , 30
+      )
+    )
+  , ( "radiosity-references.csv"
+    , ( [("scene", AWord), ("sides", Whole), ("elements", Whole)]
+          <> [(name, Number) | name <- words "bounds half_mean_error half_largest_error"]
+      , 3
+      )
+    )
   ]
   where
     sizes = [("scene", AWord), ("corners", Whole), ("pairs", Whole)]

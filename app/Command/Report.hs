@@ -13,6 +13,7 @@ import Report.Cancellation
 import Report.Factors
 import Report.Hard
 import Report.Paper
+import Report.Radiosity
 import Report.Topology
 import Run (orComplain)
 import System.Directory (createDirectoryIfMissing)
@@ -37,7 +38,7 @@ runReport options = orComplain folder $ do
     sequence
       [ section progress plan folder
       | section <-
-          [topologySection (reportDegenerate options), factorsSection, cancellationSection, hardSection]
+          [topologySection (reportDegenerate options), factorsSection, cancellationSection, hardSection, radiositySection]
       ]
   finished <- getMonotonicTime
   progress ""

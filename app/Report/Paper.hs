@@ -52,6 +52,10 @@ data Plan = Plan
   , factorSizes :: ![Int]
   , lineCounts, pointCounts, directionCounts :: ![Int]
   , hardSteps :: ![Int]
+  , partCounts :: ![Int]
+  -- ^ Of uniform meshes, for each side of a scene that is lit.
+  , referenceParts :: !Int
+  -- ^ What the reference cuts each side into, besides the break points; an even number.
   , timeLimit :: !Double
   -- ^ For a child, in seconds.
   , memoryLimit :: !Int
@@ -71,6 +75,8 @@ planOf Quick =
     , pointCounts = [1, 4, 16]
     , directionCounts = [10, 100, 1000]
     , hardSteps = [0, 6 .. 66]
+    , partCounts = [2, 4, 8]
+    , referenceParts = 32
     , timeLimit = 5
     , memoryLimit = 500
     }
@@ -86,6 +92,8 @@ planOf Full =
     , pointCounts = [1, 4, 16, 64, 256]
     , directionCounts = [10, 100, 1000, 10000]
     , hardSteps = [0, 2 .. 70]
+    , partCounts = [2, 4, 8, 16]
+    , referenceParts = 64
     , timeLimit = 20
     , memoryLimit = 1000
     }

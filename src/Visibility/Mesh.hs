@@ -25,6 +25,8 @@ module Visibility.Mesh
   , discontinuityMesh
   , uniformMesh
   , emptyMesh
+    -- * More break points
+  , meshUnion
     -- * Fewer break points
   , shadowLimits
   , bounded
@@ -47,6 +49,7 @@ import Visibility.Mesh.Element
 import Visibility.Mesh.Landing
 import Visibility.Mesh.Span
 import Visibility.Mesh.Type
+import Visibility.Mesh.Union
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 

@@ -121,6 +121,48 @@ spec = do
            in [(side, map breakParameter points) | (side, points) <- meshSides mesh]
                 === [(side, wanted side) | side <- statedSides scene]
 
+  describe "the union of two meshes" $ do
+    it "cuts where either does, with the casters that there are, whichever comes first" $
+      property $ \(AnyScene s) ->
+        forAllBlind (vectorOf 2 (someMesh (sampleScene s))) $ \meshes ->
+          let causes points = Map.fromListWith casting [(breakParameter p, breakCause p) | p <- points]
+              casting new old = if new == EqualParts then old else new
+           in conjoin
+                [ conjoin
+                    [ map breakParameter points === Map.keys wanted
+                    , map breakCause points === Map.elems wanted
+                    ]
+                | union <- [foldr1 meshUnion meshes, foldr1 meshUnion (reverse meshes)]
+                , (side, points) <- meshSides union
+                , let wanted = causes (concatMap (`breaksOf` side) meshes)
+                ]
+    it "has its points in order from the start of each piece, each where its parameter says" $
+      property $ \(AnyScene s) ->
+        forAllBlind (vectorOf 3 (someMesh (sampleScene s))) $ \meshes ->
+          conjoin [inPlace (foldr1 meshUnion meshes) side | side <- sides (sampleScene s)]
+    it "changes nothing with the mesh itself or with none, and may be grouped in any way" $
+      property $ \(AnyScene s) ->
+        let mesh = someMesh (sampleScene s)
+         in forAllBlind ((,,) <$> mesh <*> mesh <*> mesh) $ \(a, b, c) ->
+              conjoin
+                [ meshSides (meshUnion a a) === meshSides a
+                , meshSides (meshUnion a (emptyMesh (sampleScene s))) === meshSides a
+                , meshSides (meshUnion (emptyMesh (sampleScene s)) a) === meshSides a
+                , meshSides (meshUnion a (meshUnion b c)) === meshSides (meshUnion (meshUnion a b) c)
+                ]
+
+-- | A mesh of any kind.
+someMesh :: Scene -> Gen Mesh
+someMesh scene =
+  oneof
+    [ pure (meshOf scene)
+    , pure (shadowLimits (meshOf scene))
+    , (`uniformMesh` scene) <$> counts
+    , (\n -> fst (bounded n (meshOf scene))) <$> counts
+    ]
+  where
+    counts = choose (1, 8) `suchThatMap` elementCount
+
 -- | What is cut, in text: parameters with the kinds and corners of all casters.
 cut :: Scene -> [(String, [(Rational, [(Kind, String)])])]
 cut scene =
