@@ -6,7 +6,7 @@ module Report.Radiosity
   ) where
 
 import Control.Monad (forM)
-import Data.List (sort)
+import Data.List (intercalate, sort)
 import qualified Data.Text as Text
 import Report.Lit
 import Report.Measure
@@ -69,12 +69,21 @@ radiositySection progress plan folder = do
               <> show (referenceParts plan)
               <> " equal parts of each side, which contains all the other meshes. The error is |B − B_ref| along all \
                  \that is not covered of sides: its mean over the length, and its maximum, both as parts of the mean \
-                 \of B_ref. Overlaps of elements are found exactly, and values are the middles of the proved bounds. How \
-                 \far the reference with half as many parts is from it tells what the reference is worth: errors not \
-                 \much larger than that say little."
+                 \of B_ref. Overlaps of elements are found exactly, and values are the middles of the proved bounds. \
+                 \How far the reference with half as many parts is from it tells what the reference is worth: errors \
+                 \not much larger than that say little."
           , "Time is processor time in this process from a scene that has been read and checked to proved bounds of \
             \all radiosities, within 1e-9 of the largest: the sweep for break points, where the mesh needs it, the \
             \sweep of the elements, form factors as nearest Doubles, and the solution; the least of several runs."
+          , "By what factor the mean error of a uniform mesh of as many elements as the discontinuity mesh, all of it, \
+            \is larger than that of the latter, and by what factor that of a uniform mesh in as much time: "
+              <> intercalate
+                "; "
+                [ rowCase r <> " " <> factor byElements rows r <> " and " <> factor rowSeconds rows r
+                | r <- rows
+                , rowWay r == AllBreaks
+                ]
+              <> "."
           ]
       , sectionTables =
           [ Table
@@ -89,7 +98,7 @@ radiositySection progress plan folder = do
               ( ["scene", "mesh", "parameter", "elements", "seconds", "mean error", "largest error"]
                   <> ["uniform by elements", "uniform by time"]
               )
-              [ cellsOf sig r <> [maybe "" sig (against by rows r) | by <- [fromIntegral . rowElements, rowSeconds]]
+              [ cellsOf sig r <> [maybe "" sig (against by rows r) | by <- [byElements, rowSeconds]]
               | r <- rows
               ]
           ]
@@ -97,14 +106,15 @@ radiositySection progress plan folder = do
           concat
             [ [ Figure
                   ("radiosity-" <> caseName c <> "-elements.svg")
-                  (plot c "elements" (fromIntegral . rowElements) rows)
-                  (caption c "the number of elements")
+                  (plot c "elements" byElements rows)
+                  (caption r "the number of elements")
               , Figure
                   ("radiosity-" <> caseName c <> "-seconds.svg")
                   (plot c "processor time in seconds" rowSeconds rows)
-                  (caption c "processor time in seconds, from the scene to proved bounds")
+                  (caption r "processor time in seconds, from the scene to proved bounds")
               ]
-            | c <- cases
+            | r <- references
+            , let c = referenceCase r
             ]
       , sectionData =
           [ ( "radiosity.csv"
@@ -127,14 +137,20 @@ radiositySection progress plan folder = do
       [caseName (referenceCase r), sideCount (referenceCase r), show (referenceElements r)]
         <> map shown [referenceBounds r, meanDistance (referenceHalf r), largestDistance (referenceHalf r)]
     sideCount = show . length . statedSides . caseScene
-    caption c which =
+    byElements = fromIntegral . rowElements
+    factor by rows = maybe "not measured" sig . against by rows
+    caption r which =
       "Radiosity of the scene "
-        <> Text.pack (caseName c)
+        <> Text.pack (caseName (referenceCase r))
         <> ", one value for each element: the mean of |B − B_ref| over the length of all sides, as a part of the mean \
            \of B_ref, against "
         <> which
         <> ", both logarithmic. The points of one line are one kind of mesh, finer and finer; below and to the left is \
-           \better. B_ref is the radiosity on a mesh that contains all these meshes."
+           \better. B_ref is the radiosity on a mesh of "
+        <> Text.pack (show (referenceElements r))
+        <> " elements that contains all these meshes; the same with half as many equal parts on each side is "
+        <> Text.pack (sig (meanDistance (referenceHalf r)))
+        <> " away from it, so lower errors say little."
 
 -- | The meshes.
 ways :: Plan -> [Way]
