@@ -284,7 +284,7 @@ spec = do
       withLines `shouldSatisfy` isInfixOf "class=\"lines\""
       few <- call ["--max-elements", "2"]
       length few `shouldSatisfy` (< length plain)
-      for_ [["--lines"], ["--breaks", "all"], ["--max-elements", "2"]] $ \options ->
+      for_ [["--lines"], ["--breaks", "all"]] $ \options ->
         refuses 1 ["for the figure mesh"] (["draw", "scene", "scenes/room.json"] <> options) ""
       refuses 1 ["for the figure view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
     it "draws the figures of the README and of docs/mesh.md" $

@@ -106,19 +106,20 @@ figured name said from = case (name, from) of
       MeshFigure
         (fromMaybe WithoutLines (saidLines said))
         (MeshOptions (fromMaybe AllBreaks (saidBreaks said)) (saidMost said))
-  (OfMatrix, Nothing) -> unsaid [breaks, cast, scaling, profiles] *> (MatrixFigure . fromMaybe WholeSides <$> elements)
+  (OfMatrix, Nothing) -> do
+    unsaid [breaks, cast, scaling, profiles]
+    MatrixFigure . fromMaybe WholeSides <$> elementsFrom (saidMesh said) (saidMost said)
   (OfRadiosity, Nothing) -> do
     unsaid [breaks, cast]
-    chosen <- elements
+    chosen <- elementsFrom (saidMesh said <|> Just (CutAt AllBreaks)) (saidMost said)
     Right $
       LightFigure
         LightOptions
-          { lightElements = fromMaybe (ElementsOf wholeMesh) chosen
+          { lightElements = fromMaybe WholeSides chosen
           , lightScaling = fromMaybe Linear (saidScaling said)
           , lightProfiles = saidProfiles said
           }
   where
-    elements = elementsFrom (saidMesh said) (saidMost said)
     unsaid = sequence_
     given word figures isSaid = if isSaid then Left (word <> " is for " <> figures) else Right ()
     breaks = given "--breaks" "the figure mesh" (isSet (saidBreaks said))

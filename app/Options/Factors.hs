@@ -32,16 +32,19 @@ data FactorValues
 factorOptions :: Parser (Either String FactorOptions)
 factorOptions =
   (\chosen made -> ($) <$> made <*> chosen)
-    <$> (elementsChosen <$> elementsFlag <*> elementsGiven)
+    <$> (elementsChosen <$> elementsFlag <*> optional meshGiven <*> optional mostGiven)
     <*> (combined <$> format <*> double <*> optional digitsGiven <*> detailOption)
   where
+    -- The mesh where none is named.
     elementsFlag =
-      switch
+      flag
+        Nothing
+        (Just (CutAt AllBreaks))
         ( long "elements"
             <> help "Form factors of elements instead of sides, such as 0.0#3: those of the --mesh, by default the \
                     \discontinuity mesh."
         )
-    elementsChosen asked given = fromMaybe (if asked then ElementsOf wholeMesh else WholeSides) <$> given
+    elementsChosen usual mesh most = fromMaybe WholeSides <$> elementsFrom (mesh <|> usual) most
     format =
       option
         (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])

@@ -8,7 +8,6 @@ module Options.Mesh
   , MeshName (..)
   , elementsGiven
   , elementsFrom
-  , wholeMesh
     -- * What is said
   , meshGiven
   , breaksGiven
@@ -75,10 +74,6 @@ meshGiven =
       "all" -> Left (notOne word)
       _ -> either (const (Left (notOne word))) (Right . CutAt) (breaksNamed word)
     notOne word = word <> " is none of: sides, discontinuity, shadow-limits, uniform:N"
-
--- | All break points.
-wholeMesh :: MeshOptions
-wholeMesh = MeshOptions AllBreaks Nothing
 
 breaksGiven :: Parser Breaks
 breaksGiven =
