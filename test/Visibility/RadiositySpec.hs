@@ -13,7 +13,7 @@ import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding (Digits, defaultDigits, digits)
 import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
-import Visibility.Mesh.Element
+import Visibility.Mesh
 import Visibility.Radiosity
 import Visibility.Scene
 import Visibility.Scene.Raw
@@ -24,7 +24,7 @@ import Visibility.Test.Metamorphic
 
 spec :: Spec
 spec = do
-  describe "a white furnace" $
+  describe "a white furnace" $ do
     forM_ [("in Doubles", close 12), ("to digits", ToDigits (count 25))] $ \(name, closeness) ->
       it ("has the radiosity E/(1 − ρ) everywhere, " <> name) $
         forAll closedRoom $ \s ->
@@ -37,6 +37,21 @@ spec = do
                 , not (litRadiosity l `has` (e / (1 - r)))
                 ]
                   === []
+    it "has it on every element of a mesh too" $
+      forAll (resize 15 closedRoom) $ \s ->
+        forAll ((,) <$> elements [1, 2 % 3] <*> elements [0, 1 % 2, 99 % 100]) $ \(e, r) ->
+          forAllBlind (choose (1, 3) `suchThatMap` elementCount) $ \parts ->
+            onScene (everywhere (Material e r) (sampleRaw s)) $ \scene ->
+              let (few, _) = bounded parts (discontinuityMesh scene (vertices scene))
+               in forAllBlind (elements [refined few, refined (uniformMesh parts scene)]) $ \cut ->
+                    either (\why -> counterexample (show why) False) property $ do
+                      found <- radiosityOfElements (close 12) cut (measured (refinedScene cut))
+                      Right $
+                        [ elementText (litElement l)
+                        | l <- litElements found
+                        , not (litRadiosity l `has` (e / (1 - r)))
+                        ]
+                          === []
   describe "the bounds" $ do
     it "enclose the solution that elimination finds" $
       property $ \(SmallScene s) -> forAll (furnished s) $ \lit ->
@@ -185,7 +200,10 @@ count :: Int -> Digits
 count = fromMaybe defaultDigits . digits
 
 solution :: Closeness -> Scene -> Either Shortfall Radiosity
-solution closeness scene = radiosity closeness scene (measures scene (vertices scene))
+solution closeness scene = radiosity closeness scene (measured scene)
+
+measured :: Scene -> Measures
+measured scene = measures scene (vertices scene)
 
 solved :: Testable p => Closeness -> Scene -> (Radiosity -> p) -> Property
 solved closeness scene act = case solution closeness scene of
@@ -240,7 +258,7 @@ eliminated scene = Map.fromList (zip names (gauss [row i | i <- [0 .. length nam
     known =
       Map.fromList
         [ ((factorFrom f, factorTo f), fst (enclosure 200 (factorValue f)))
-        | f <- formFactors scene (measures scene (vertices scene))
+        | f <- formFactors scene (measured scene)
         ]
     row i =
       let name = names !! i
