@@ -135,11 +135,13 @@ demo: build ## run the main job on scenes/, into out/
 	  step complex "$$scene" > "$$out/complex.json"
 	  step verify "$$scene" > "$$out/verify.txt"
 	  step draw view "$$scene" --corner 0.0 -o "$$out/view.svg"
-	  printf '%-28s %7d visible pairs  %7d form factors  %s  scene.svg  dual.svg  view.svg  matrix.svg\n' "$$out" \
+	  step draw mesh "$$scene" -o "$$out/mesh.svg"
+	  step draw radiosity "$$scene" --mesh sides -o "$$out/radiosity.svg"
+	  printf '%-28s %7d visible pairs  %7d form factors  %s  scene.svg  dual.svg  view.svg  matrix.svg  mesh.svg  radiosity.svg\n' "$$out" \
 	    "$$(wc -l < "$$out/graph.txt")" "$$(($$(wc -l < "$$out/factors.csv") - 1))" "$$(tail -n 1 "$$out/verify.txt")"
 	done
 	echo
-	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg, dual.svg, view.svg and matrix.svg; numbers are in graph.txt, factors.csv, complex.json and info.txt beside them."
+	echo "$(words $(SCENES)) scenes in $$((SECONDS - start)) s. Look at out/*/scene.svg, dual.svg, view.svg, matrix.svg, mesh.svg and radiosity.svg; numbers are in graph.txt, factors.csv, complex.json and info.txt beside them."
 
 # The figures of docs/degeneracies.md that show more than the scene with its free bitangents.
 define FIGURE_OF
@@ -167,6 +169,20 @@ degenerate: build ## draw the figures of docs/degeneracies.md anew, from scenes/
 	  name=$$(basename "$$scene" .json)
 	  "$(EXE)" draw $$(figure_of "$$name") "$$scene" -o "docs/figures/degenerate/$$name.svg"
 	done
+
+.PHONY: gallery
+gallery: build ## draw the figures of docs/gallery.md anew
+	@out=docs/figures/gallery
+	mkdir -p "$$out"
+	draw() { "$(EXE)" draw "$${@:2}" -o "$$out/$$1.svg"; }
+	draw ordp-9-radiosity radiosity scenes/ordp-9.json --mesh discontinuity --profile E.1 --profile 4.3
+	draw ordp-9-dual dual scenes/ordp-9.json
+	draw ordp-9-matrix matrix scenes/ordp-9.json
+	draw ordp-9-mesh mesh scenes/ordp-9.json --breaks shadow-limits --lines
+	draw flat-radiosity radiosity scenes/flat.json --mesh discontinuity --profile 1.2
+	draw flat-dual dual scenes/flat.json
+	draw flat-matrix matrix scenes/flat.json
+	draw flat-mesh mesh scenes/flat.json
 
 # hspec's summary is "N examples, N failures[, N pending]". A pending test counts as failed, and so does a run that
 # ends without a summary or without a single test.

@@ -15,20 +15,34 @@ import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 
 -- | Where a band lies along a side: the side's start, the unit vectors along it and out into free space, its length,
--- the width of the band, and how steeply the ends are cut. All in pixels.
+-- the width of the band, and how the ends are cut. All in pixels.
 data Strip = Strip
   { stripStart :: !Place
   , stripAlong :: !(Double, Double)
   , stripLong :: !Double
   , stripWide :: !Double
-  , startSlope :: !(Maybe Double)
-  , endSlope :: !(Maybe Double)
+  , startCut :: !Cut
+  , endCut :: !Cut
   }
+
+-- | How a strip ends.
+data Cut
+  = -- | At a right angle.
+    Square
+  | -- | Along the bisector of less than 180° of free space, by its slope over the side.
+    Inwards !Double
+  | -- | Along the bisector of more, by how far it leads beyond the side for each pixel outwards.
+    Beyond !Double
+
+-- | The slopes of ends that take room away.
+slopesInwards :: Strip -> [Double]
+slopesInwards strip = [slope | Inwards slope <- [startCut strip, endCut strip]]
 
 -- | The strip of a side, of at most a width.
 --
 -- Where free space is less than 180° wide at an end, it is cut along the bisector, so that the bands of both sides
--- meet.
+-- meet. So it is where free space is at most 270° wide, and a little more, if nothing else is near the corner: round
+-- objects have no gaps.
 -- Where something is in front of the side, the strip takes at most half of the way there.
 --
 -- /Degenerate cases/ what touches the side's ends is not in front of it: the bisector lies between. Sides that are no
@@ -41,22 +55,47 @@ stripOf scene place most side =
     { stripStart = from
     , stripAlong = along
     , stripLong = long
-    , stripWide = minimum (most : map (/ 2) (concatMap inFront (sides scene)))
-    , startSlope = slopeAt start
-    , endSlope = slopeAt end
+    , stripWide = wide
+    , startCut = cutAt start (previousCorner scene start)
+    , endCut = cutAt end end
     }
   where
-    (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
+    (start, end) = (sideStart side, sideEnd scene side)
     (from@(Place x0 y0), Place x1 y1) = (place start, place end)
     long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
-    along@(ux, uy)
+    along
       | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
       | otherwise = (0, 0)
-    slopeAt corner
-      | isWallEnd scene corner || wide >= pi = Nothing
-      | otherwise = Just (tan (wide / 2))
+    wide = roomBeside scene place most side
+    -- By the corner that the neighbour starts at. Where its band is of another width, going on would leave a spike.
+    cutAt corner (CornerId neighbour)
+      | isWallEnd scene corner = Square
+      | angle < pi = Inwards (tan (angle / 2))
+      | angle > pi
+      , angle < 1.6 * pi
+      , roomBeside scene place most (SideId neighbour) == wide
+      , all (farFrom corner) (sides scene) =
+        Beyond (tan ((angle - pi) / 2))
+      | otherwise = Square
       where
-        wide = freeAngle place (previousCorner scene corner) corner (nextCorner scene corner)
+        angle = freeAngle place (previousCorner scene corner) corner (nextCorner scene corner)
+        farFrom at@(CornerId c) other =
+          any (samePlace scene at) [p, q]
+            || turn (scenePoints scene) p' q' c == LeftTurn
+            || distance (place at) (place p) (place q) > 2 * most
+          where
+            (p@(CornerId p'), q@(CornerId q')) = (sideStart other, sideEnd scene other)
+
+-- | The width of a side's strip: at most the width given, and half of the way to what is in front of it.
+roomBeside :: Scene -> (CornerId -> Place) -> Double -> SideId -> Double
+roomBeside scene place most side = minimum (most : map (/ 2) (concatMap inFront (sides scene)))
+  where
+    (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
+    (Place x0 y0, Place x1 y1) = (place start, place end)
+    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
+    (ux, uy)
+      | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
+      | otherwise = (0, 0)
 
     -- How far in front of the side another one is, where it is. What is behind is decided exactly: the other face of
     -- a wall is in the same place.
@@ -77,6 +116,16 @@ stripOf scene place most side =
       where
         kept = max 0 . min long
         at t = h + (h' - h) * (t - s) / (s' - s)
+
+-- | How far a place is from a segment.
+distance :: Place -> Place -> Place -> Double
+distance (Place x y) (Place px py) (Place qx qy) = sqrt (squared (x - px - t * dx) (y - py - t * dy))
+  where
+    (dx, dy) = (qx - px, qy - py)
+    squared u v = u * u + v * v
+    t
+      | squared dx dy > 0 = max 0 (min 1 (((x - px) * dx + (y - py) * dy) / squared dx dy))
+      | otherwise = 0
 
 -- | How wide free space is at a corner, from the preceding side counter-clockwise to the following one.
 freeAngle :: (CornerId -> Place) -> CornerId -> CornerId -> CornerId -> Double
@@ -106,9 +155,18 @@ stripPart strip from to = map (uncurry (outwardPlace strip)) (cutEnd (cutStart w
   where
     long = stripLong strip
     (s, s') = (from * long, to * long)
-    whole = [(s, 0), (s', 0), (s', stripWide strip), (s, stripWide strip)]
-    cutStart = maybe id (\slope -> keptWhere (\(t, h) -> slope * t - h)) (startSlope strip)
-    cutEnd = maybe id (\slope -> keptWhere (\(t, h) -> slope * (long - t) - h)) (endSlope strip)
+    wide = stripWide strip
+    whole = [(s, 0), (s', 0), (s' + afterwards, wide), (s - before, wide)]
+    afterwards = beyond (from < 1 && to >= 1) (endCut strip)
+    before = beyond (from <= 0 && to > 0) (startCut strip)
+    beyond isLast cut = case cut of
+      Beyond reach | isLast -> reach * wide
+      _ -> 0
+    cutStart = inwards (startCut strip) id
+    cutEnd = inwards (endCut strip) (long -)
+    inwards cut along = case cut of
+      Inwards slope -> keptWhere (\(t, h) -> slope * along t - h)
+      _ -> id
 
 -- | The part of a convex region where a linear function is not negative.
 keptWhere :: ((Double, Double) -> Double) -> [(Double, Double)] -> [(Double, Double)]
@@ -133,12 +191,12 @@ stripRays most strip
     -- What is in front is at least twice the width away.
     far = 1.75 * stripWide strip
     (long, middle) = (stripLong strip, stripLong strip / 2)
-    room = minimum (stripWide strip : [slope * middle | Just slope <- [startSlope strip, endSlope strip]])
+    room = minimum (stripWide strip : map (* middle) (slopesInwards strip))
     count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
     free =
       [ s
       | k <- takeWhile (< count) (map (+ 0.5) [0 ..])
       , let s = long * k / count
-      , and [slope * s > far | Just slope <- [startSlope strip]]
-      , and [slope * (long - s) > far | Just slope <- [endSlope strip]]
+      , and [slope * s > far | Inwards slope <- [startCut strip]]
+      , and [slope * (long - s) > far | Inwards slope <- [endCut strip]]
       ]

@@ -93,7 +93,8 @@ radiosityDrawing scene figure =
                ]
     }
   where
-    title = quantity <> ": " <> fromMaybe "untitled scene" (sceneTitle scene)
+    title = capital quantity <> ": " <> fromMaybe "untitled scene" (sceneTitle scene)
+    capital text = Text.toUpper (Text.take 1 text) <> Text.drop 1 text
     quantity = radiosityQuantity figure
     found = radiosityElements figure
     shown = [element | (element, _, _) <- lit]

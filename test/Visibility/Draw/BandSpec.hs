@@ -30,8 +30,8 @@ spec = do
               defect strip = area (stripPart strip 0 t) + area (stripPart strip t 1) - area (stripOutline strip)
            in [side | side <- sides scene, abs (defect (stripOf scene (placed scene) 8 side)) > 1e-6] === []
   describe "a strip" $ do
-    it "is a rectangle where there is room" $
-      outlines 8 [solid [(0, 0), (1, 0), (1, 1), (0, 1)]] `shouldBe` replicate 4 (8 * 700)
+    it "goes on to the bisectors around a square" $
+      outlines 8 [solid [(0, 0), (1, 0), (1, 1), (0, 1)]] `shouldBe` replicate 4 (8 * (700 + 8))
     it "is one on either face of a thin wall" $
       outlines 8 [rawWall [Point 0 0, Point 1 0]] `shouldBe` replicate 2 (8 * 700)
     it "is cut along the bisectors in the corners of a room" $
