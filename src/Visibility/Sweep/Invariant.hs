@@ -39,10 +39,11 @@ treeViolations :: Scene -> (Heading, Table) -> [Violation]
 treeViolations scene (heading, tree) =
   concatMap corner [0 .. n - 1] <> concatMap list lists <> concatMap chain [0 .. n - 1]
   where
-    f = frame scene heading
+    f = frame (sceneTables scene) heading
     n = cornerCount scene
     lists = skyList n : map cornerList [0 .. n - 1] <> map ceilingList [0 .. n - 1]
-    roof = ceilings (verticalSweep scene heading)
+    roof = U.map fromIntegral (case heading of Rightward -> ceilings vertical; Leftward -> floors vertical)
+    vertical = verticalSweep scene
     place law p = law <> ", " <> show heading <> " tree at " <> p
     next p = let CornerId q = nextCorner scene (CornerId p) in q
     previous p = let CornerId q = previousCorner scene (CornerId p) in q

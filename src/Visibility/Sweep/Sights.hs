@@ -21,7 +21,7 @@ import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (Heading (..), Vertical (..), solid, verticalSweep)
+import Visibility.Sweep.Vertical (Vertical (..), solid, verticalSweep)
 
 -- | By corner: the objects in front and at the back of it, and 1 where the following corner of its polygon lies above
 -- its line.
@@ -43,12 +43,12 @@ type Changing s = Sights (M.MVector s Int32)
 startSights :: Scene -> Sights (U.Vector Int32)
 startSights scene =
   Sights
-    (U.map fromIntegral (floors vertical))
-    (U.map fromIntegral (ceilings vertical))
+    (floors vertical)
+    (ceilings vertical)
     (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in if q > p then 1 else 0))
   where
     n = cornerCount scene
-    vertical = verticalSweep scene Rightward
+    vertical = verticalSweep scene
 
 -- | Turns the lines of a vertex's corners through it.
 turnThrough :: Scene -> Changing s -> Vertex -> ST s ()

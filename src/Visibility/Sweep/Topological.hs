@@ -132,7 +132,9 @@ stepsTaken scene state = chainSteps scene (rightTree state) + chainSteps scene (
 data Prepared = Prepared !Scene !Frame !Frame
 
 prepared :: Scene -> Prepared
-prepared scene = Prepared scene (frame scene Rightward) (frame scene Leftward)
+prepared scene = Prepared scene (frame tables Rightward) (frame tables Leftward)
+  where
+    tables = sceneTables scene
 
 -- | The state while it changes: both trees; which corners are pending; and a stack with the pending corners.
 data Running s
@@ -141,8 +143,8 @@ data Running s
 -- | The state just above −90°, in which all corners are pending.
 begun :: Prepared -> ST s (Running s)
 begun known@(Prepared scene rightward leftward) = do
-  right <- plant rightward Rightward (verticalSweep scene Rightward)
-  left <- plant leftward Leftward (verticalSweep scene Leftward)
+  right <- plant rightward Rightward (firstTargets scene Rightward vertical)
+  left <- plant leftward Leftward (firstTargets scene Leftward vertical)
   waiting <- newPrimArray n
   setPrimArray waiting 0 n 1
   stack <- newPrimArray n
@@ -150,6 +152,7 @@ begun known@(Prepared scene rightward leftward) = do
   pure (Running known right left waiting stack)
   where
     n = cornerCount scene
+    vertical = verticalSweep scene
 
 -- | A changeable copy of a state.
 resumed :: Prepared -> Sweep -> ST s (Running s)

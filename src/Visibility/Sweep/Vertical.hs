@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The start of the sweep: what each corner sees along the vertical, and its first target, by a plane sweep.
+-- | The start of the sweep: what each corner sees along the vertical, by a plane sweep; and from that its first targets.
 --
--- Everything is written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below,
--- while turns stay what they are. So the left-going half of the sweep is the same code on the same tables.
+-- Targets are written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below, while
+-- turns stay what they are. So the left-going half of the sweep is the same code on the same tables.
 --
 -- Verticals need no care: order is lexicographic, which is the same as turning the scene by an infinitely small angle
 -- to the right.
@@ -19,6 +19,8 @@ module Visibility.Sweep.Vertical
     -- * The plane sweep
   , Vertical (..)
   , verticalSweep
+  , floorsFor
+  , firstTargets
     -- * Its states
   , Crossing (..)
   , freeAbove
@@ -30,8 +32,8 @@ module Visibility.Sweep.Vertical
 import Control.Applicative ((<|>))
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
+import Data.Int (Int32)
 import Data.List (sortBy)
-import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Set.Internal as Set (Set (..), link, merge)
@@ -74,20 +76,22 @@ objectOf scene code
   | otherwise = Just (Side (SideId code))
 {-# INLINE objectOf #-}
 
--- | The situation at the start of the half turn, seen by a heading.
+-- | The situation at the start of the half turn.
 data Vertical = Vertical
-  { floors :: !(U.Vector Int)
+  { floors :: !(U.Vector Int32)
   -- ^ By corner: the object met by its downward ray, or 'solid'.
-  , ceilings :: !(U.Vector Int)
+  , ceilings :: !(U.Vector Int32)
   -- ^ By corner: the object met by its upward ray, or 'solid'.
-  , firstTargets :: !(U.Vector Int)
-  -- ^ By corner: the corner at the far end of its elementary pair of least slope that leaves forward, −1 where its
-  -- forward rays are solid, n where there is no such corner and it sees the sky.
   }
   deriving (Eq, Show)
 
--- | A side that crosses the vertical, from its end that comes first by the heading to the other. Both sides of a thin
--- wall are one crossing.
+-- | What is below each corner as a heading sees it.
+floorsFor :: Heading -> Vertical -> U.Vector Int32
+floorsFor heading = case heading of
+  Rightward -> floors
+  Leftward -> ceilings
+
+-- | A side that crosses the vertical, from its left end to its right one. Both sides of a thin wall are one crossing.
 data Crossing = Crossing !Int !Int
 
 -- | The side of a crossing that is free above it, or 'solid'.
@@ -101,9 +105,11 @@ freeAbove scene (Crossing a b) = if following scene b == a then b else solid
 freeBelow :: Scene -> Crossing -> Int
 freeBelow scene (Crossing a b) = if following scene a == b then a else solid
 
-following :: Scene -> Int -> Int
+following, preceding :: Scene -> Int -> Int
 following scene p = let CornerId q = nextCorner scene (CornerId p) in q
+preceding scene p = let CornerId q = previousCorner scene (CornerId p) in q
 {-# INLINE following #-}
+{-# INLINE preceding #-}
 
 -- | What lies above and below all crossings: the sky, or 'solid' in a room.
 beyondAll :: Scene -> Int
@@ -116,19 +122,71 @@ beyondAll scene = case surroundings scene of
 -- /Cost/ O(n log n) time, O(n) memory.
 --
 -- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
-verticalSweep :: Scene -> Heading -> Vertical
-verticalSweep scene heading = runST $ do
+verticalSweep :: Scene -> Vertical
+verticalSweep scene = runST $ do
   floors' <- column
   ceilings' <- column
-  targets <- column
-  visitPlaces scene heading (const (pure ())) $ \p floor' ceiling' target' -> do
-    M.unsafeWrite floors' p floor'
-    M.unsafeWrite ceilings' p ceiling'
-    M.unsafeWrite targets p target'
-  Vertical <$> U.unsafeFreeze floors' <*> U.unsafeFreeze ceilings' <*> U.unsafeFreeze targets
+  visitPlaces scene (const (pure ())) $ \p floor' ceiling' -> do
+    M.unsafeWrite floors' p (fromIntegral floor')
+    M.unsafeWrite ceilings' p (fromIntegral ceiling')
+  Vertical <$> U.unsafeFreeze floors' <*> U.unsafeFreeze ceilings'
   where
-    column :: ST s (M.MVector s Int)
-    column = M.replicate (cornerCount scene) solid
+    column :: ST s (M.MVector s Int32)
+    column = M.new (cornerCount scene)
+
+-- | By corner: the corner at the far end of its elementary pair of least slope that leaves forward, 'solid' where its
+-- forward rays are solid, 'skyCode' where there is no such corner and it sees the sky.
+--
+-- For each floor the convex chain of corners seen above it is kept while corners are visited against the heading: nearest
+-- first, down to the end of the floor. By floor the first node, by node the next; the nodes are p for the corner p, and
+-- n + p for p as the end of a floor.
+--
+-- /Degenerate cases/ corners collinear with p on a chain stay, so that the first target is the nearest. Of two faces of
+-- one piece of a wall the lower one, which has free space on its right, comes first.
+--
+-- /Requires/ the floors of the scene. /Cost/ O(n).
+firstTargets :: Scene -> Heading -> Vertical -> U.Vector Int32
+firstTargets scene heading vertical = U.create $ do
+  targets <- M.new n
+  heads <- M.replicate (n + 1) nowhere
+  nexts <- M.replicate (2 * n) nowhere
+  let
+    -- The chain without the corners that the tangent from p leaves out.
+    tangentChain !p !a
+      | a == nowhere = pure a
+      | otherwise = do
+          b <- M.unsafeRead nexts (fromIntegral a)
+          if b /= nowhere && turnOf p (cornerOf a) (cornerOf b) == RightTurn then tangentChain p b else pure a
+    visit !p = do
+      let !under = fromIntegral (below U.! p)
+          !q = following scene p
+      if under == solid
+        then M.unsafeWrite targets p (fromIntegral (lowestSide p))
+        else do
+          chain <- M.unsafeRead heads under >>= tangentChain p
+          M.unsafeWrite targets p (if chain == nowhere then fromIntegral n else fromIntegral (cornerOf chain))
+          M.unsafeWrite nexts p chain
+          M.unsafeWrite heads under (fromIntegral p)
+      -- The side from p back to q is met from here on, free above it.
+      when (before heading q p) $ M.unsafeWrite heads p (fromIntegral (n + p))
+  case heading of
+    Rightward -> forM_ [1 .. n] $ \k -> visit (n - k)
+    Leftward -> forM_ [0 .. n - 1] visit
+  pure targets
+  where
+    n = cornerCount scene
+    below = floorsFor heading vertical
+    nowhere = -1 :: Int32
+    cornerOf node = let k = fromIntegral node in if k < n then k else k - n
+    turnOf = turn (scenePoints scene)
+    lowestSide p = case (before heading p next, before heading p previous) of
+      (True, True) -> if turnOf p next previous == RightTurn then previous else next
+      (True, False) -> next
+      (False, True) -> previous
+      (False, False) -> solid
+      where
+        next = following scene p
+        previous = preceding scene p
 
 -- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k,
 -- from before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below
@@ -138,8 +196,8 @@ verticalSweep scene heading = runST $ do
 slabs :: Scene -> V.Vector (Set Crossing)
 slabs scene = V.create $ do
   table <- Boxed.replicate (n + 1) Set.empty
-  visitPlaces scene Rightward (\(from, to, crossing) -> forM_ [from .. to] $ \p -> Boxed.write table p crossing) $
-    \_ _ _ _ -> pure ()
+  visitPlaces scene (\(from, to, crossing) -> forM_ [from .. to] $ \p -> Boxed.write table (p + 1) crossing) $
+    \_ _ _ -> pure ()
   pure table
   where
     n = cornerCount scene
@@ -148,88 +206,56 @@ slabs scene = V.create $ do
 -- ~~~~~~~~~~~~~~~~~~~~~~
 -- What is carried from place to place: the sides that the vertical meets, from below upwards, in a balanced tree in
 -- which a place is found by asking of sides whether they lie below a corner, and which is cut and joined there; its
--- elements are never compared with each other, for an order of theirs would hold at one vertical only. And for each
--- floor the convex chain of corners seen above it so far, nearest first, down to the end of the floor: by floor the
--- first node, by node the next. The nodes are p for the corner p, and n + p for p as the end of a floor.
+-- elements are never compared with each other, for an order of theirs would hold at one vertical only.
 
--- | Visits the places of corners against the heading and keeps the sides that cross the vertical. Tells for each place
+-- | Visits the places of corners from left to right and keeps the sides that cross the vertical. Tells for each place
 -- the first and the last corner there and the sides that cross the vertical after it; and for each corner what it meets
--- downwards and upwards, and its first target.
+-- downwards and upwards.
 --
--- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Corners collinear
--- with p on a chain stay, so that the first target is the nearest. Of the corners in one place, at most one sees down
--- and at most one sees up: those whose cones contain these directions.
+-- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Of the corners in
+-- one place, at most one sees down and at most one sees up: those whose cones contain these directions.
 --
--- /Cost/ O(n log n) for the tree, O(n) for the chains.
+-- /Cost/ O(n log n).
 visitPlaces
   :: Scene
-  -> Heading
   -> ((Int, Int, Set Crossing) -> ST s ())
-  -> (Int -> Int -> Int -> Int -> ST s ())
+  -> (Int -> Int -> Int -> ST s ())
   -> ST s ()
-visitPlaces scene heading visited found = do
-  heads <- M.replicate (n + 1) nowhere
-  nexts <- M.replicate (2 * n) nowhere
-  let
+visitPlaces scene visited found = visit Set.empty 0
+  where
     visit !crossing !x
-      | x < 0 || x >= n = pure ()
+      | x >= n = pure ()
       | otherwise = do
           let y = lastHere x
-              here = if y == x then [x] else [min x y .. max x y]
-              arriving = upwards' RightTurn [(q, p) | p <- here, q <- neighbours p, before heading q p]
-              leaving = upwards' LeftTurn [(p, q) | p <- here, q <- neighbours p, before heading p q]
-              Meeting below above crossing' = crossed leaving (map (uncurry Crossing) arriving) x crossing
+              here = [x .. y]
+              ending = length [() | p <- here, q <- neighbours p, q < p]
+              starting = upwards' [Crossing p q | p <- here, q <- neighbours p, p < q]
+              Meeting below above crossing' = crossed ending starting x crossing
               floorSide = maybe beyond (freeAbove scene) below
               ceilingSide = maybe beyond (freeBelow scene) above
-          chain <- if floorSide == solid then pure nowhere else M.unsafeRead heads floorSide >>= tangentChain x
           forM_ here $ \p -> do
             let (seesDown, seesUp) = verticals p
-                target
-                  | seesDown = if chain == nowhere then sky else cornerOf chain
-                  | otherwise = fromMaybe solid (listToMaybe [q | (p', q) <- leaving, p' == p])
-            found p (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid) target
-            when (seesDown && floorSide /= solid) $ M.unsafeWrite nexts p chain >> M.unsafeWrite heads floorSide p
-          forM_ leaving $ \(p, q) -> chainOf (Crossing p q) nowhere
-          forM_ arriving $ \(q, p) -> chainOf (Crossing q p) (n + p)
-          visited (min x y, max x y, crossing')
-          visit crossing' (onwards y)
-
-    chainOf side node = let s = freeAbove scene side in when (s /= solid) $ M.unsafeWrite heads s node
-
-    -- The chain without the corners that the tangent from p leaves out; collinear ones stay.
-    tangentChain p a
-      | a == nowhere = pure a
-      | otherwise = do
-          b <- M.unsafeRead nexts a
-          if b /= nowhere && turnOf p (cornerOf a) (cornerOf b) == RightTurn then tangentChain p b else pure a
-  visit Set.empty (case heading of Rightward -> n - 1; Leftward -> 0)
-  where
+            found p (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid)
+          visited (x, y, crossing')
+          visit crossing' (y + 1)
     n = cornerCount scene
-    nowhere = -1
-    sky = skyCode scene
     beyond = beyondAll scene
-    cornerOf node = if node < n then node else node - n
-    onwards = case heading of
-      Rightward -> subtract 1
-      Leftward -> (+ 1)
-    -- The last corner to be visited in the place of this one.
+    -- The last corner in the place of this one.
     lastHere x
-      | y >= 0 && y < n && samePlace scene (CornerId x) (CornerId y) = lastHere y
+      | x + 1 < n && samePlace scene (CornerId x) (CornerId (x + 1)) = lastHere (x + 1)
       | otherwise = x
-      where
-        y = onwards x
 
     next = following scene
-    previous p = let CornerId q = previousCorner scene (CornerId p) in q
+    previous = preceding scene
     turnOf = turn (scenePoints scene)
-    endsAt x (Crossing a _) = a == x || samePlace scene (CornerId a) (CornerId x)
+    endsAt x (Crossing _ b) = b == x || samePlace scene (CornerId b) (CornerId x)
     isBelow x (Crossing a b) = turnOf a b x == LeftTurn
 
-    crossed leaving arriving x crossing = case (leaving, arriving) of
-      ([_], [side]) | Just replaced <- passing (endsAt x) (isBelow x) side crossing -> replaced
+    crossed count starting x crossing = case starting of
+      [side] | count == 1, Just replaced <- passing (endsAt x) (isBelow x) side crossing -> replaced
       _
-        | length leaving /= Set.size ending -> broken "status of the plane sweep" ("at corner " <> show x)
-        | otherwise -> Meeting (Set.lookupMax below) (Set.lookupMin above) $ case arriving of
+        | count /= Set.size ending -> broken "status of the plane sweep" ("at corner " <> show x)
+        | otherwise -> Meeting (Set.lookupMax below) (Set.lookupMin above) $ case starting of
             [] -> Set.merge below above
             side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
       where
@@ -237,23 +263,18 @@ visitPlaces scene heading visited found = do
         (ending, above) = Set.spanAntitone (endsAt x) from
 
     neighbours p = if next p == previous p then [next p] else [next p, previous p]
-    -- Sides at one place, from the lowest to the uppermost, seen from their ends there: the first ends of those that
-    -- arrive, for which lower means that the turn to the next one is to the right, or the second ends of those that
-    -- leave. Of the two faces of one piece of a wall the lower one, which has free space on its right, comes first.
-    upwards' _ [] = []
-    upwards' _ [side] = [side]
-    upwards' wanted sides' = sortBy order sides'
+    -- Sides that start at one place, from the lowest to the uppermost. Of the two faces of one piece of a wall the lower
+    -- one, which has free space on its right, comes first.
+    upwards' [] = []
+    upwards' [side] = [side]
+    upwards' starting = sortBy order starting
       where
-        order (a, b) (c, d) = case wanted of
-          RightTurn -> rank (turnOf b a c) <> faces (a, b) (c, d)
-          _ -> rank (turnOf a b d) <> faces (a, b) (c, d)
-        rank found'
-          | found' == wanted = LT
-          | found' == Collinear = EQ
-          | otherwise = GT
-        faces (a, b) _ = if next a == b then LT else GT
+        order (Crossing a b) (Crossing _ d) = case turnOf a b d of
+          LeftTurn -> LT
+          RightTurn -> GT
+          Collinear -> if next a == b then LT else GT
     -- Does the cone of a corner hold the direction down, and that up?
-    verticals p = case (before heading (previous p) p, before heading (next p) p) of
+    verticals p = case (previous p < p, next p < p) of
       (True, False) -> (True, False)
       (False, True) -> (False, True)
       _ -> let around = turnOf p (previous p) (next p) /= LeftTurn in (around, around)

@@ -1,6 +1,8 @@
 -- | A scene as a heading sees it, and what the places of a tree's table mean in it.
 module Visibility.Sweep.HorizonTree.Frame
   ( Frame
+  , Tables
+  , sceneTables
   , frame
   , frameSize
   , following
@@ -41,17 +43,20 @@ data Decides
     Machine
   | Other !Points
 
-frame :: Scene -> Heading -> Frame
-frame scene heading = case heading of
+frame :: Tables -> Heading -> Frame
+frame tables heading = case heading of
   Rightward -> RightwardFrame tables
   Leftward -> LeftwardFrame tables
+
+-- | /Cost/ O(n).
+sceneTables :: Scene -> Tables
+sceneTables scene = case pointsKernel points of
+  MachineKernel xs -> tabled Machine xs
+  _ -> tabled (Other points) (U.replicate (2 * n) 0)
   where
     n = cornerCount scene
     points = scenePoints scene
     around = neighbourTable scene
-    tables = case pointsKernel points of
-      MachineKernel xs -> tabled Machine xs
-      _ -> tabled (Other points) (U.replicate (2 * n) 0)
     tabled decides xs = Tables n (generatePrimArray (4 * n) part) (flat (placeNumbers scene)) decides
       where
         part i

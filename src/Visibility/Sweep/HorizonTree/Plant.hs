@@ -7,6 +7,7 @@ module Visibility.Sweep.HorizonTree.Plant
 
 import Control.Monad (forM_, unless, when)
 import Control.Monad.ST (ST)
+import Data.Int (Int32)
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
@@ -16,11 +17,11 @@ import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Vertical
 
--- | The tree at the start of the half turn, in which the sweep can go on.
+-- | The tree at the start of the half turn, in which the sweep can go on, from the 'firstTargets' of its heading.
 --
 -- /Cost/ O(n log n).
-plant :: Frame -> Heading -> Vertical -> ST s (Growing s)
-plant f heading vertical = do
+plant :: Frame -> Heading -> U.Vector Int32 -> ST s (Growing s)
+plant f heading targets = do
   tree <- emptyTable n
   -- Edges to a ceiling come in the order of the heading, those to a corner by slope.
   eachCorner $ \p -> do
@@ -57,7 +58,7 @@ plant f heading vertical = do
       | t == n = skyList n
       | otherwise = cornerList t
       where
-        t = firstTargets vertical U.! p
+        t = fromIntegral (targets U.! p)
     firstEnd i = let q = following f i in if comesBefore f i q then i else q
     -- All nodes in the lists of corners: tree edges, and the markers of sides.
     eachInCorner tree visit = forM_ [0 .. n - 1] $ \i -> do
