@@ -5,13 +5,13 @@ module Visibility.Sweep.HorizonTree.Plant
   ( plant
   ) where
 
-import Control.Monad (forM_, unless, when)
+import Control.Monad (forM_, unless)
 import Control.Monad.ST (ST)
 import Data.Int (Int32)
-import qualified Data.Vector.Algorithms.Intro as Intro
+import Data.List (sortBy)
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
+import Visibility.Sorting
 import Visibility.Sweep.HorizonTree
 import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
@@ -26,26 +26,13 @@ plant f heading targets = do
   -- Edges to a ceiling come in the order of the heading, those to a corner by slope.
   eachCorner $ \p -> do
     let !l = targetFrom p
-        !marker = if isCornerList l then markerOf f p (listOwner l) else noNode
     put tree (source p) (firstEnd p)
     putList tree (target p) l
-    unless (l == noList) $ putNode tree (edge p) (if marker == noNode then edgeNode p else marker)
+    unless (l == noList) $ putNode tree (edge p) (nodeTo p l)
     unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  ends <- M.replicate (n + 1) (0 :: Int)
-  eachInCorner tree $ \q _ -> M.unsafeModify ends (+ 1) (q + 1)
-  forM_ [1 .. n] $ \q -> M.unsafeRead ends (q - 1) >>= \k -> M.unsafeModify ends (+ k) q
-  total <- M.unsafeRead ends n
-  nodes <- M.new total
-  eachInCorner tree $ \q (Node e) -> do
-    k <- M.unsafeRead ends q
-    M.unsafeWrite nodes k e
-    M.unsafeWrite ends q (k + 1)
-  -- Now the nodes of q end at its entry, and begin at that of q − 1.
-  forM_ [0 .. n - 1] $ \q -> do
-    from <- if q == 0 then pure 0 else M.unsafeRead ends (q - 1)
-    to <- M.unsafeRead ends q
-    when (to - from > 1) $ Intro.sortByBounds (ascending q) nodes from to
-    forM_ [from .. to - 1] $ \k -> M.unsafeRead nodes k >>= append tree (cornerList q) . Node
+  forM_ [0 .. n - 1] $ \q -> mapM_ (append tree (cornerList q)) $ case map nodeCoded (bucketOf arriving q) of
+    nodes@[_] -> nodes
+    nodes -> sortBy (ascending q) nodes
   eachCorner (relink f tree)
   pure tree
   where
@@ -59,20 +46,28 @@ plant f heading targets = do
       | otherwise = cornerList t
       where
         t = fromIntegral (targets U.! p)
+    -- The node of the tree edge from p to a target.
+    nodeTo p l
+      | isCornerList l, marker <- markerOf f p (listOwner l), marker /= noNode = marker
+      | otherwise = edgeNode p
     firstEnd i = let q = following f i in if comesBefore f i q then i else q
-    -- All nodes in the lists of corners: tree edges, and the markers of sides.
-    eachInCorner tree visit = forM_ [0 .. n - 1] $ \i -> do
-      l <- getList tree (target i)
-      own <- getNode tree (edge i)
-      when (isCornerList l && own == edgeNode i) $ visit (listOwner l) own
+    -- By corner, all nodes in its list: tree edges that are no sides, and the markers of sides. The former are coded by
+    -- 2i, the latter by 2i + 1. Those in no corner's list come last.
+    arriving = bucketsBy (n + 1) (U.generate (2 * n) (fromIntegral . arrival))
+    arrival k
+      | even k = let l = targetFrom i in if isCornerList l && nodeTo i l == edgeNode i then listOwner l else n
       -- The two faces of a wall that stands alone have one marker.
-      let q = following f i
-      when (preceding f i /= q || comesBefore f i q) $ visit (i + q - firstEnd i) (markerNode i)
+      | preceding f i /= q || comesBefore f i q = i + q - firstEnd i
+      | otherwise = n
+      where
+        i = k `quot` 2
+        q = following f i
+    nodeCoded k = if even k then edgeNode (k `quot` 2) else markerNode (k `quot` 2)
     ascending q a b = case turnIn f q (sourceOf a) (sourceOf b) of
       LeftTurn -> LT
       Collinear -> compare (isLowerFace q a) (isLowerFace q b)
       RightTurn -> GT
-    sourceOf e = let i = nodeOwner (Node e) in if isEdgeNode (Node e) then i else firstEnd i
+    sourceOf e = let i = nodeOwner e in if isEdgeNode e then i else firstEnd i
     -- Of the two faces of one piece of a wall, the upper one comes first.
     isLowerFace q e = following f (sourceOf e) == q
     append tree l node = getNode tree (final l) >>= \e -> insertAfter tree l e node
