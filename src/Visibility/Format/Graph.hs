@@ -14,7 +14,7 @@ module Visibility.Format.Graph
   , sortedLines
   ) where
 
-import Control.Monad (foldM, foldM_)
+import Control.Monad (foldM, foldM_, when)
 import Control.Monad.ST (runST)
 import Data.ByteString.Builder (Builder, byteString)
 import Data.ByteString.Internal (ByteString, unsafeCreateUptoN)
@@ -22,7 +22,7 @@ import Data.Char (ord)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word8)
-import Foreign.Ptr (minusPtr, plusPtr)
+import Foreign.Ptr (Ptr, minusPtr, plusPtr)
 import Foreign.Storable (poke)
 import Visibility.Scene
 import Visibility.Sorting
@@ -114,20 +114,23 @@ slack = 8
 
 -- | A line for each key: the two names, a space between them.
 linesOf :: Names -> U.Vector Key -> ByteString
-linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> U.foldM' line begin ks)
+linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> go begin 0)
   where
     total = U.foldl' (\sum' k -> let (a, b) = parts k in sum' + long a + long b + 2) 0 ks
     from = U.unsafeIndex (nameStarts names)
     long k = from (k + 1) - from k
-    line !place k = do
-      let (a, b) = parts k
-      place' <- name place a
-      poke place' (32 :: Word8)
-      place'' <- name (place' `plusPtr` 1) b
-      poke place'' (10 :: Word8)
-      pure (place'' `plusPtr` 1)
-    name place k = copied place (from k) (from (k + 1))
-    copied !place !i !end
-      | i + slack >= end = word place i >> pure (place `plusPtr` (end - i))
-      | otherwise = word place i >> copied (place `plusPtr` slack) (i + slack) end
-    word place i = copyPrimArrayToPtr place (nameBytes names) i slack
+    go !place !k
+      | k >= U.length ks = pure place
+      | otherwise = do
+          let (a, b) = parts (U.unsafeIndex ks k)
+              between = place `plusPtr` long a
+              end = between `plusPtr` (1 + long b)
+          copied place (from a) (from (a + 1))
+          poke between (32 :: Word8)
+          copied (between `plusPtr` 1) (from b) (from (b + 1))
+          poke end (10 :: Word8)
+          go (end `plusPtr` 1) (k + 1)
+    copied :: Ptr Word8 -> Int -> Int -> IO ()
+    copied !place !i !end = do
+      copyPrimArrayToPtr place (nameBytes names) i slack
+      when (i + slack < end) $ copied (place `plusPtr` slack) (i + slack) end

@@ -17,6 +17,7 @@ import Data.Bits (complement)
 import Data.Int (Int32)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 
@@ -76,14 +77,17 @@ pieceVertices (Piece written) = from 0
 --
 -- /Degenerate cases/ where no wall has split ends, these are the elementary pairs; see 'vertexPairs'.
 pieceNeighbours :: U.Unbox a => (Int -> Int -> a) -> Piece -> U.Vector a
-pieceNeighbours make piece@(Piece written) = U.unfoldrN (sizeofPrimArray written - pieceLength piece) next 0
-  where
-    next !i
-      | a < 0 = next (i + 1)
-      | otherwise = Just (make a (max b (complement b)), i + 1)
-      where
-        a = fromIntegral (indexPrimArray written i)
-        b = fromIntegral (indexPrimArray written (i + 1))
+pieceNeighbours make piece@(Piece written) = U.create $ do
+  found <- M.unsafeNew (sizeofPrimArray written - pieceLength piece)
+  let go !i !k
+        | k >= M.length found = pure ()
+        | a < 0 = go (i + 1) k
+        | otherwise = M.unsafeWrite found k (make a (max b (complement b))) >> go (i + 1) (k + 1)
+        where
+          a = fromIntegral (indexPrimArray written i)
+          b = fromIntegral (indexPrimArray written (i + 1))
+  go 0 0
+  pure found
 {-# INLINE pieceNeighbours #-}
 
 -- | The piece with each corner replaced by what a table says of it.
