@@ -17,16 +17,18 @@ module Visibility.Scene.Boundary
   , freeCorners
   ) where
 
+import Control.Monad (forM_)
+import Control.Monad.ST (runST)
 import Data.Function (on)
 import Data.Int (Int32)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (sortBy, sortOn)
+import Data.List (foldl', sortBy, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import Visibility.Exact.Point
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes
 import Visibility.Scene.Contact
@@ -162,9 +164,8 @@ solidFlank o p = case outlineIds o V.! p of
   Enclosure -> opposite inner
   Obstacle _ -> inner
   where
-    inner = case sortOn (placeOf o) (cornersOf o p) of
-      i : _ -> turn (rankedPoints (outlineRanked o)) (around o (-1) i) i (around o 1 i)
-      [] -> Collinear
+    inner = turn (rankedPoints (outlineRanked o)) (around o (-1) least) least (around o 1 least)
+    least = foldl' (\i j -> if numberOf o j < numberOf o i then j else i) (outlineFirst o U.! p) (cornersOf o p)
 
 -- | Do two corners lie in the same direction from a third?
 sameWay :: Outline -> Int -> Int -> Int -> Bool
@@ -205,9 +206,10 @@ type Face = (Int32, Int32, Int32)
 -- /Degenerate cases/ a stated corner that is all covered has none, one in several cones of free space has several.
 -- Where all of a room is filled, there are none.
 --
--- /Requires/ a valid scene, and its contacts. /Cost/ O(n log n), and at each place of contact quadratic in the number
--- of sides there.
+-- /Requires/ a valid scene, and its contacts. /Cost/ O(n) where there are none, else O(n log n), and at each place of
+-- contact quadratic in the number of sides there.
 freeCorners :: Outline -> [Contact] -> Boundary
+freeCorners o [] = wholeSides o
 freeCorners o found =
   Boundary
     { statedNumbers = places
@@ -220,18 +222,15 @@ freeCorners o found =
     faces = U.fromList (exposed o found)
     (froms, tos, sides) = U.unzip3 faces
     total = U.length faces
-    places = denseRanks (comparePlacesAt stated) (placeCount stated)
-    stated = pointPlaces (rankedPoints (outlineRanked o))
-    placeTotal = if U.null places then 0 else 1 + fromIntegral (U.maximum places)
-    placeOfCorner i = fromIntegral (places U.! i)
+    places = outlineNumbers o
     -- By place: the faces that begin there.
-    starting = bucketsBy placeTotal (U.map (U.unsafeIndex places . fromIntegral) froms)
-    named = bucketsBy placeTotal places
+    starting = bucketsBy (placeTotal o) (U.map (U.unsafeIndex places . fromIntegral) froms)
+    named = bucketsBy (placeTotal o) places
     from, to :: Int -> Int
     from f = fromIntegral (froms U.! f)
     to f = fromIntegral (tos U.! f)
     -- The faces by where they begin, place by place and by name in each.
-    ordered = U.fromListN total (concatMap (inNameOrder . bucketOf starting) [0 .. placeTotal - 1])
+    ordered = U.fromListN total (concatMap (inNameOrder . bucketOf starting) [0 .. placeTotal o - 1])
     newNumbers = U.update_ (U.replicate total 0) ordered (U.enumFromN 0 total) :: U.Vector Int32
     inNameOrder fs@[_] = fs
     inNameOrder fs = sortOn (\f -> (nameOf f, sides U.! f)) fs
@@ -240,7 +239,7 @@ freeCorners o found =
     byAngle = angleOrder o
     -- The next face counter-clockwise from the one that arrives: between them is a cone of free space. One that leads
     -- back the same way comes last, after a full turn.
-    follower f = case inAngleOrder (bucketOf starting (placeOfCorner (to f))) of
+    follower f = case inAngleOrder (bucketOf starting (numberOf o (to f))) of
       [g] -> g
       here -> fromMaybe f (listToMaybe (filter later here <> here))
       where
@@ -248,7 +247,7 @@ freeCorners o found =
     followers = U.generate total follower
     leaders = U.update_ (U.replicate total 0) followers (U.enumFromN 0 total)
     -- Of a face, the corner that names where it begins.
-    nameOf f = case bucketOf named (placeOfCorner (from f)) of
+    nameOf f = case bucketOf named (numberOf o (from f)) of
       [only] -> only
       names -> case filter (`isOnFlankOf` f) names of
         [] -> minimum names
@@ -256,6 +255,43 @@ freeCorners o found =
     isOnFlankOf i f = any ((== ownerOf o i) . fromIntegral . sideOwner) [f, leaders U.! f]
     sideOwner f = sideOwners U.! fromIntegral (sides U.! f)
     sideOwners = ownersFrom (sideFirsts o)
+
+-- | 'freeCorners' where nothing meets: each corner of a ring begins its one side there, and on the way back along a wall
+-- what follows a face that arrives is the other one that begins there.
+wholeSides :: Outline -> Boundary
+wholeSides o = runST $ do
+  corners <- M.new total
+  sides <- M.new total
+  nexts <- M.new total
+  let begins new i side next = do
+        M.write corners new (fromIntegral i)
+        M.write sides new (fromIntegral side)
+        M.write nexts new next
+  forM_ (polygonIndices o) $ \p -> case outlineForms o V.! p of
+    Ring -> case solidFlank o p of
+      LeftTurn -> forM_ (cornersOf o p) $ \i -> begins (front i) i (sideNumberOf o firsts i) (news U.! after i)
+      _ -> forM_ (cornersOf o p) $ \i -> begins (front (after i)) (after i) (sideNumberOf o firsts i) (news U.! i)
+    Polyline -> forM_ (segmentStarts o p) $ \i -> do
+      begins (front i) i (sideNumberOf o firsts i) (news U.! after i)
+      begins (back (after i)) (after i) (backSideNumberOf o firsts i) (fromIntegral (back i))
+  named <- U.unsafeFreeze corners
+  Boundary (outlineNumbers o) named named <$> U.unsafeFreeze sides <*> U.unsafeFreeze nexts
+  where
+    firsts = sideFirsts o
+    total = U.sum faces
+    -- In the order of places, how many faces begin at each corner: two between the ends of a wall.
+    faces = U.map facesAt (outlineOrder o)
+    facesAt i = if hasTwo (fromIntegral i) then 2 else 1
+    hasTwo i = outlineForms o V.! ownerOf o i == Polyline && not (isEnd i)
+    isEnd i = i == outlineFirst o U.! p || i == outlineFirst o U.! (p + 1) - 1
+      where
+        p = ownerOf o i
+    -- By stated corner, the first of its own. It begins the side with the lesser number.
+    news = U.update_ (U.replicate (outlineTotal o) 0) (U.map fromIntegral (outlineOrder o)) starts :: U.Vector Int32
+    starts = U.map fromIntegral (U.prescanl' (+) 0 faces)
+    front i = fromIntegral (news U.! i) :: Int
+    back i = if hasTwo i then front i + 1 else front i
+    after = around o 1
 
 -- | The order of directions from a place, each given by the place and another one: counter-clockwise, from the one that
 -- leads down, and from there on to the right.
@@ -278,9 +314,7 @@ data Occupant
 
 -- | The faces of sides that are not covered, cut where something touches them.
 exposed :: Outline -> [Contact] -> [Face]
-exposed o found
-  | null found = concat [facesOf [piece] | p <- polygonIndices o, piece <- piecesOf p]
-  | otherwise = concatMap facesOf (Map.elems together)
+exposed o found = concatMap facesOf (Map.elems together)
   where
     cuts = IntMap.fromListWith (<>) [(s, [i]) | OnSegment i s <- found]
     -- What lies along one piece; each is alone where nothing meets.

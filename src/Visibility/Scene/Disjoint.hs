@@ -1,22 +1,34 @@
--- | Whether segments meet at all, decided by a sweep. For valid scenes it is the whole check of contacts, and unlike a
--- comparison of boxes its cost does not depend on how the sides lie; it does not say what meets.
+{-# LANGUAGE BangPatterns #-}
+
+-- | Whether the boundaries of polygons meet at all, and whether one lies where it may not, decided by a sweep. For valid
+-- scenes without contacts it is the whole check of how polygons lie to each other, and unlike a comparison of boxes its
+-- cost does not depend on how the sides lie; it does not say what meets.
 module Visibility.Scene.Disjoint
   ( Boundaries (..)
   , boundaries
   ) where
 
-import Control.Monad (forM_)
-import Data.Foldable (toList)
-import Data.Sequence (Seq)
-import qualified Data.Sequence as Seq
-import qualified Data.Vector.Algorithms.Intro as Intro
+import Control.Monad (unless)
+import Control.Monad.ST (ST, runST)
+import Data.Int (Int32)
+import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Scene.Contact
+import Visibility.Scene.Id
+import Visibility.Scene.Outline
+import Visibility.Scene.Raw (Form (..))
+import Visibility.Scene.Status
 
--- | Whether segments meet elsewhere than in corners that they share.
-data Boundaries = Disjoint | Meet
+-- | How the polygons of an outline lie to each other.
+data Boundaries
+  = -- | Apart, none inside of an obstacle, and all inside the enclosure if there is one.
+    Disjoint
+  | -- | Apart, but not all where they may be.
+    Misplaced
+  | -- | Segments meet elsewhere than in corners that they share.
+    Meet
   deriving (Eq, Show)
 
 -- Note [The sweep]
@@ -28,75 +40,133 @@ data Boundaries = Disjoint | Meet
 -- Until p the status is in order. If two of the segments through p are in the status just before p, then all that are
 -- follow each other, and two neighbours among them that do not share p were compared when the last event made them
 -- neighbours. Otherwise one of them starts at p and one at most comes from before: it is next to p in the status, and
--- so to those that start there. So the sweep stops at p or before, and what it relies on is right until then.
-
--- | Do any of the segments meet, but for segments with a corner in common, which meet there?
+-- so to those that start there. So the sweep stops at p or before, and what it relies on is right until then: that
+-- segments which end at a corner follow each other in the status, so that one which starts there takes the slot of the
+-- one that ends, or both leave theirs.
 --
--- /Requires/ segments with different corners as ends, at most two at each corner, and no two of them with a common
--- corner and the same direction from it.
+-- Note [What lies where]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- With each slot goes whether it is free above it, by the number of rings around: beyond all rings it is free if there
+-- is no enclosure, and each ring is a change. This is the same all along a boundary, as long as none meet. A polygon
+-- counts as misplaced if it is not free around its least corner, an enclosure if it is.
+--
+-- A polygon that is where it may be has no ring around it, or, if there is an enclosure, just that; an enclosure has
+-- none. So it does not count as misplaced. Conversely, of all misplaced polygons take one with the fewest rings around
+-- it. These are where they may be, for they have fewer. So if there is no enclosure, there is one of them. Else it is no
+-- obstacle alone, for that is outside of the enclosure; so there are the enclosure and one obstacle in it, or none; and
+-- none is right for the enclosure. In each case the polygon counts as misplaced.
+
+-- | Do boundaries meet, but for segments with a corner in common, which meet there, and is every polygon where it may
+-- be?
+--
+-- /Requires/ polygons that have nothing wrong at their own corners, but for corners in one place.
 --
 -- /Degenerate cases/ two corners in one place are 'Meet'. Vertical segments and segments on one line are ordinary.
 --
--- /Cost/ O(n log² n), however the segments lie.
+-- /Cost/ O(n log n), however the segments lie.
 --
 -- /Laws/ 'Meet' exactly when 'meeting' is not 'Apart' for two segments without a common corner, or two corners are in
--- one place.
+-- one place; else 'Misplaced' exactly when an obstacle is inside of another one or outside of the enclosure.
 --
 -- /Source/ Shamos and Hoey, Geometric intersection problems, 1976.
-boundaries :: Ranked -> [Segment] -> Boundaries
-boundaries r segments
-  | or [samePlace r (order U.! (k - 1)) (order U.! k) | k <- [1 .. U.length order - 1]] = Meet
-  | otherwise = sweep 0 Seq.empty
+boundaries :: Outline -> Boundaries
+boundaries o
+  | placeTotal o < outlineTotal o = Meet
+  | otherwise = runST (sweep o)
+
+sweep :: Outline -> ST s Boundaries
+sweep o = do
+  status <- newStatus n
+  -- Of slot s, the corner where its segment starts at 2s, and that where it ends at 2s + 1.
+  ends <- M.new (2 * n)
+  -- The slots of segments that end at corner c, at 2c and 2c + 1.
+  arrivals <- M.replicate (2 * n) (fromIntegral noSlot)
+  -- By slot, see Note [What lies where].
+  freeAbove <- M.new n
+  begun <- M.replicate (V.length (outlineIds o)) False
+  let
+    -- The slots from a number on are not in use yet.
+    visit !k !unused !found
+      | k >= n = pure found
+      | otherwise = do
+          let c = fromIntegral (outlineOrder o U.! k)
+              (d, e) = joinedTo o c
+              isLater q = q /= noCorner && numberOf o q > k
+          s <- get arrivals (2 * c)
+          t <- get arrivals (2 * c + 1)
+          case (isLater d, isLater e) of
+            (True, True) -> starting k unused found c d e
+            (True, False) -> if s == noSlot then starting k unused found c d noCorner else passing k unused found s c d
+            (False, True) -> if s == noSlot then starting k unused found c e noCorner else passing k unused found s c e
+            (False, False) -> do
+              first <- remove status s
+              (low, high) <- if t == noSlot then pure first else remove status t
+              fine <- apart low high
+              visitIf fine k unused found
+
+    visitIf fine k unused found = if fine then visit (k + 1) unused found else pure Meet
+
+    passing k unused found s c d = do
+      occupy s c d
+      low <- below status s
+      high <- above status s
+      fine <- (&&) <$> apart low s <*> apart s high
+      visitIf fine k unused found
+
+    starting k unused found c d e = do
+      (low, high) <- lookupGap status (isUnder c)
+      isFree <- if low == noSlot then pure isFreeBeyond else M.read freeAbove low
+      let p = ownerOf o c
+          alone = e == noCorner
+          isUpsideDown = not alone && turn points c d e == RightTurn
+          lower = unused
+          upper = if alone then unused else unused + 1
+      insertBetween status low high lower
+      occupy lower c (if isUpsideDown then e else d)
+      M.write freeAbove lower $ case outlineForms o V.! p of
+        Ring -> not isFree
+        Polyline -> isFree
+      unless alone $ do
+        insertBetween status lower high upper
+        occupy upper c (if isUpsideDown then d else e)
+        M.write freeAbove upper isFree
+      hasBegun <- M.read begun p
+      M.write begun p True
+      fine <- (&&) <$> apart low lower <*> apart upper high
+      visitIf fine k (upper + 1) $
+        if not hasBegun && isFree == (outlineIds o V.! p == Enclosure) then Misplaced else found
+
+    -- Lets a slot hold a segment.
+    occupy s c d = do
+      put ends (2 * s) c
+      put ends (2 * s + 1) d
+      first <- get arrivals (2 * d)
+      put arrivals (if first == noSlot then 2 * d else 2 * d + 1) s
+
+    isUnder c s = do
+      a <- get ends (2 * s)
+      b <- get ends (2 * s + 1)
+      pure (turn points a b c == LeftTurn)
+
+    apart s t
+      | s == noSlot || t == noSlot = pure True
+      | otherwise = do
+          a <- get ends (2 * s)
+          b <- get ends (2 * s + 1)
+          c <- get ends (2 * t)
+          d <- get ends (2 * t + 1)
+          pure (a == c || a == d || b == c || b == d || meeting r (Segment a b) (Segment c d) == Apart)
+  visit 0 0 Disjoint
   where
-    -- The other ends of the segments at each corner, two at most, or −1.
-    others = otherEnds (rankedTotal r) segments
-    atCorner c = [d | k <- [2 * c, 2 * c + 1], let d = others U.! k, d >= 0]
-    order = U.modify (Intro.sortBy earlier) (U.filter used (U.enumFromN 0 (rankedTotal r)))
-    used c = others U.! (2 * c) >= 0
-    earlier a b = compare (column r a) (column r b) <> compare (row r a) (row r b)
-    isBefore a b = earlier a b == LT
+    n = outlineTotal o
+    r = outlineRanked o
+    points = rankedPoints r
+    isFreeBeyond = Enclosure `V.notElem` outlineIds o
 
-    -- See Note [The sweep].
-    sweep k status
-      | k >= U.length order = Disjoint
-      | all (uncurry compatible) (neighbours (toList below <> starting <> toList above)) =
-          sweep (k + 1) (replaced low width starting status)
-      | otherwise = Meet
-      where
-        c = order U.! k
-        starting = upwardsFrom [Segment c d | d <- atCorner c, isBefore c d]
-        width = length [() | d <- atCorner c, isBefore d c]
-        low = firstNotBelow c status
-        below = Seq.lookup (low - 1) status
-        above = Seq.lookup (low + width) status
+get :: M.MVector s Int32 -> Int -> ST s Int
+get table k = fromIntegral <$> M.read table k
+{-# INLINE get #-}
 
-    side c (Segment a b) = turn (rankedPoints r) a b c
-    upwardsFrom [s@(Segment _ b), t] = if side b t == LeftTurn then [t, s] else [s, t]
-    upwardsFrom other = other
-    compatible s@(Segment a b) t@(Segment c d) = a == c || a == d || b == c || b == d || meeting r s t == Apart
-
-    -- The first place whose segment does not run below the corner.
-    firstNotBelow c status = search 0 (Seq.length status)
-      where
-        search from to
-          | from >= to = from
-          | side c (Seq.index status middle) == LeftTurn = search (middle + 1) to
-          | otherwise = search from middle
-          where
-            middle = (from + to) `div` 2
-
-otherEnds :: Int -> [Segment] -> U.Vector Int
-otherEnds n segments = U.create $ do
-  ends <- M.replicate (2 * n) (-1)
-  forM_ segments $ \(Segment a b) -> forM_ [(a, b), (b, a)] $ \(c, d) -> do
-    first <- M.read ends (2 * c)
-    M.write ends (if first < 0 then 2 * c else 2 * c + 1) d
-  pure ends
-
-neighbours :: [a] -> [(a, a)]
-neighbours items = zip items (drop 1 items)
-
--- Instead of so many items from a place on, others.
-replaced :: Int -> Int -> [a] -> Seq a -> Seq a
-replaced k 1 [new] items = Seq.update k new items
-replaced k width new items = foldr (Seq.insertAt k) (iterate (Seq.deleteAt k) items !! width) new
+put :: M.MVector s Int32 -> Int -> Int -> ST s ()
+put table k value = M.write table k (fromIntegral value)
+{-# INLINE put #-}

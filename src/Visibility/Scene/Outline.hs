@@ -9,11 +9,16 @@ module Visibility.Scene.Outline
   , polygonIndices
   , cornersOf
   , around
+  , joinedTo
+  , noCorner
   , segmentStarts
   , segmentFrom
   , ownerOf
   , ownersFrom
     -- * Places
+  , outlineTotal
+  , placeTotal
+  , numberOf
   , placeOf
   , outlinePoint
     -- * Names
@@ -26,6 +31,7 @@ module Visibility.Scene.Outline
   ) where
 
 import Data.Int (Int32)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
@@ -39,9 +45,9 @@ type Shape = (PolygonId, RawPolygon)
 -- | How the corners of a polygon are joined. An enclosure is a ring, two corners make a thin wall.
 formOf :: Shape -> Form
 formOf (Enclosure, _) = Ring
-formOf (Obstacle _, polygon) = case rawCorners polygon of
-  [_, _] -> Polyline
-  _ -> rawForm polygon
+formOf (Obstacle _, polygon)
+  | cornerTotal polygon == 2 = Polyline
+  | otherwise = rawForm polygon
 
 -- | So many corners at least.
 fewestCorners :: Shape -> Int
@@ -59,6 +65,10 @@ data Outline = Outline
   -- ^ By corner: see 'ownerOf'.
   , outlineLattice :: !Lattice
   , outlineRanked :: !Ranked
+  , outlineOrder :: !(U.Vector Int32)
+  -- ^ All corners in the order of their places.
+  , outlineNumbers :: !(U.Vector Int32)
+  -- ^ By corner: the number of its place among all places with corners, in their order.
   }
 
 -- | /Requires/ at least one corner in each shape. /Cost/ O(n log n).
@@ -70,11 +80,19 @@ outline shapes =
     , outlineFirst = firsts
     , outlineOwner = ownersFrom firsts
     , outlineLattice = lattice
-    , outlineRanked = ranked (placesOver (map (ontoLattice lattice) . rawCorners . snd) shapes)
+    , outlineRanked = r
+    , outlineOrder = order
+    , outlineNumbers = U.update_ (U.replicate (U.length order) 0) (U.map fromIntegral order) (U.scanl' (+) 0 steps)
     }
   where
     firsts = U.fromList (scanl (+) 0 (map (cornerTotal . snd) shapes))
-    lattice = latticeOver (rawCorners . snd) shapes
+    (lattice, places) = fromMaybe onAny (traverse (machineCorners . snd) shapes >>= machinePlaces)
+    onAny = (anyLattice, placesOver (map (ontoLattice anyLattice) . rawCorners . snd) shapes)
+    anyLattice = latticeOver (rawCorners . snd) shapes
+    r = ranked places
+    order = lexicographic r
+    steps = U.zipWith step order (U.drop 1 order)
+    step i j = if samePlace r (fromIntegral i) (fromIntegral j) then 0 else 1
 
 -- | By item, the number of the group that it is in, from where each group begins and the last ends.
 --
@@ -100,6 +118,24 @@ around o k i = first + (i - first + k) `mod` (outlineFirst o U.! (p + 1) - first
     p = ownerOf o i
     first = outlineFirst o U.! p
 
+-- | The corners to which segments lead from a corner: the one that follows it and the one before, or 'noCorner' where a
+-- thin wall ends.
+joinedTo :: Outline -> Int -> (Int, Int)
+joinedTo o i
+  | first < i && i < final = (i + 1, i - 1)
+  | otherwise = case outlineForms o V.! p of
+      Ring -> (if i < final then i + 1 else first, if i > first then i - 1 else final)
+      Polyline -> (if i < final then i + 1 else noCorner, if i > first then i - 1 else noCorner)
+  where
+    p = ownerOf o i
+    first = outlineFirst o U.! p
+    final = outlineFirst o U.! (p + 1) - 1
+{-# INLINE joinedTo #-}
+
+-- | In the place of a corner.
+noCorner :: Int
+noCorner = -1
+
 -- | The segments of a polygon, by the corners that start them. The two faces of a thin wall are one.
 segmentStarts :: Outline -> Int -> [Int]
 segmentStarts o p = case outlineForms o V.! p of
@@ -118,6 +154,21 @@ ownerOf o i = fromIntegral (outlineOwner o U.! i)
 -- | A corner as the file states it.
 outlinePoint :: Outline -> Int -> Point
 outlinePoint o i = fromLattice (outlineLattice o) (pointAt (rankedPoints (outlineRanked o)) i)
+
+-- | The number of corners.
+outlineTotal :: Outline -> Int
+outlineTotal = U.length . outlineOrder
+
+-- | The number of places with corners.
+placeTotal :: Outline -> Int
+placeTotal o
+  | U.null (outlineOrder o) = 0
+  | otherwise = 1 + numberOf o (fromIntegral (U.last (outlineOrder o)))
+
+-- | The number of a corner's place, see 'outlineNumbers'.
+numberOf :: Outline -> Int -> Int
+numberOf o i = fromIntegral (outlineNumbers o U.! i)
+{-# INLINE numberOf #-}
 
 -- | Where a corner is: the order of places is the lexicographic one.
 placeOf :: Outline -> Int -> (Int, Int)

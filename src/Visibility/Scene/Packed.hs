@@ -6,6 +6,7 @@ module Visibility.Scene.Packed
   , packed
   , unpacked
   , packedLength
+  , machineTable
   ) where
 
 import Control.Monad.ST (runST)
@@ -80,3 +81,9 @@ unpacked (Scaled d table) = go 0
 packedLength :: Packed -> Int
 packedLength (Apart n _) = n
 packedLength (Scaled _ table) = sizeofPrimArray table `quot` 2
+
+-- | The least common denominator of a list of points, and x and y of point i times it at 2i and 2i + 1, where machine
+-- integers do. /Cost/ O(1).
+machineTable :: Packed -> Maybe (Int, PrimArray Int)
+machineTable (Apart _ _) = Nothing
+machineTable (Scaled d table) = Just (d, table)

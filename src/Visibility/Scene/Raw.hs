@@ -10,6 +10,7 @@ module Visibility.Scene.Raw
   , rawWall
   , described
   , cornerTotal
+  , machineCorners
   , sideTotal
   , Material (..)
   , black
@@ -17,6 +18,7 @@ module Visibility.Scene.Raw
   ) where
 
 import qualified Data.Map.Strict as Map
+import Data.Primitive.PrimArray (PrimArray)
 import Data.Text (Text)
 import Visibility.Exact.Point (Point)
 import Visibility.Scene.Packed
@@ -90,6 +92,10 @@ described name polygon material sides =
 -- | How many corners a polygon has. /Cost/ O(1).
 cornerTotal :: RawPolygon -> Int
 cornerTotal = packedLength . packedCorners
+
+-- | The corners of a polygon in machine integers, where these do: see 'machineTable'. /Cost/ O(1).
+machineCorners :: RawPolygon -> Maybe (Int, PrimArray Int)
+machineCorners = machineTable . packedCorners
 
 -- | How many sides a polygon has.
 sideTotal :: RawPolygon -> Int

@@ -53,20 +53,27 @@ statedFrom shapes o =
     , statedFirsts = outlineFirst o
     , statedOwners = outlineOwner o
     , statedSideFirsts = firsts
-    , statedSideOwners = ownersFrom firsts
-    , statedSideEnds = U.fromListN (2 * total) (concatMap ends (polygonIndices o))
-    , statedMaterials = foldr seq materials (V.toList materials)
+    , statedSideOwners = owners
+    , statedSideEnds = U.generate (2 * U.length owners) (\k -> fromIntegral (end (k `quot` 2) (k `rem` 2)))
+    , statedMaterials = V.foldr seq materials materials
     }
   where
     firsts = sideFirsts o
-    total = U.last firsts
-    ends p = concat (forth <> [reverse pair | Polyline <- [outlineForms o V.! p], pair <- reverse forth])
+    owners = ownersFrom firsts
+    end s k = case outlineForms o V.! p of
+      Ring -> if start + k == outlineFirst o U.! (p + 1) then first else start + k
+      -- The second face goes back.
+      Polyline
+        | start + 1 < outlineFirst o U.! (p + 1) -> start + k
+        | otherwise -> 2 * outlineFirst o U.! (p + 1) - 2 - start - k
       where
-        forth = [[fromIntegral s, fromIntegral (around o 1 s)] | s <- segmentStarts o p]
-    materials = V.fromListN total (concat (zipWith materialsOf (map snd shapes) (polygonIndices o)))
+        p = fromIntegral (owners U.! s)
+        first = outlineFirst o U.! p
+        start = first + s - firsts U.! p
+    materials = V.concat (zipWith materialsOf (map snd shapes) (polygonIndices o))
     materialsOf polygon p
-      | Map.null (rawSides polygon) = replicate count material
-      | otherwise = [maybe material overridden (Map.lookup k (rawSides polygon)) | k <- [0 .. count - 1]]
+      | Map.null (rawSides polygon) = V.replicate count material
+      | otherwise = V.generate count (\k -> maybe material overridden (Map.lookup k (rawSides polygon)))
       where
         count = firsts U.! (p + 1) - firsts U.! p
         material = rawMaterial polygon

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The valid scene, as tables by 'CornerId'. "Visibility.Scene" shows it to the rest of the project without its
 -- constructor; only "Visibility.Scene.Validate" makes one.
 module Visibility.Scene.Type
@@ -152,8 +154,10 @@ assemble title touching shapes o boundary =
     neighbours = neighboursAlong (freeNexts boundary)
     places = U.map (\i -> statedNumbers boundary U.! fromIntegral i) (freePlaces boundary)
     polygons = zipWith polygon shapes [0 ..]
-    polygon shape@(p, raw) k =
-      Polygon p (shown <$> rawPolygonName raw) (formOf shape) (map (outlinePoint o) (cornersOf o k))
+    polygon shape@(p, raw) k = Polygon p (shown <$> rawPolygonName raw) (formOf shape) (pointsOf (cornersOf o k))
+    -- What waits for their use holds no more of the outline than it needs.
+    pointsOf = map (\i -> fromLattice lattice (placeAt (statedPlaces stated) i))
+    !lattice = outlineLattice o
     shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
 -- | 'neighbourTable' from the corner that follows each.

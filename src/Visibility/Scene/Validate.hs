@@ -32,22 +32,23 @@ import Visibility.Scene.Type (Scene, assemble)
 -- something wrong with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of
 -- times.
 --
--- /Cost/ of a valid scene without contacts O(n log² n) for its boundaries, however they lie, and for each pair of
--- polygons of which one has its box in the other's a query in a tree of sides, which is O(√n) as a rule and O(n) at
--- worst. Of others besides O(1) for each pair of sides whose boxes overlap, and what 'overlaps' takes.
+-- /Cost/ of a valid scene without contacts O(n log n), however the sides lie. Of others besides O(1) for each pair of
+-- sides whose boxes overlap, what 'overlaps' takes, and for each pair of polygons of which one has its box in the
+-- other's a query in a tree of sides, which is O(√n) as a rule and O(n) at worst.
 --
 -- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has
 -- the corners, sides and materials that the file gives, under the file's names.
 validate :: RawScene -> Either (NonEmpty SceneError) Scene
 validate raw
   | null shapes = Left (EmptyScene :| [])
-  | otherwise = case ordered (statementErrors shapes <> geometryErrors o found) of
+  | otherwise = case ordered (statementErrors shapes <> geometryErrors o look) of
       e : es -> Left (e :| es)
       [] -> Right (assemble (rawName raw) (contactTotal o found) shapes o (freeCorners o found))
   where
     shapes = zip (map Obstacle [0 ..]) (rawPolygons raw) <> [(Enclosure, room) | Just room <- [rawEnclosure raw]]
     o = outline [shape | shape@(_, polygon) <- shapes, cornerTotal polygon >= fewestCorners shape]
-    found = contactsIn o
+    look = lookAt o
+    found = lookContacts look
     ordered = sortOn (\e -> (sceneErrorPlace e, e)) . Set.toList . Set.fromList
 
 sideTotalOf :: Shape -> Int
@@ -72,21 +73,49 @@ statementErrors shapes = concat [few shape <> sideNumbers shape <> materials sha
     material' place e r =
       [BadEmission place x | Just x <- [e], x < 0] <> [BadReflectivity place x | Just x <- [r], x < 0 || x >= 1]
 
--- | Where boundaries meet. The sweep tells scenes without contacts at a cost that nothing can raise; only if it finds
--- something, all is looked for. It is not made for polygons that have something wrong at their own corners.
-contactsIn :: Outline -> [Contact]
-contactsIn o
-  | all (null . alone o flat) (polygonIndices o), Disjoint <- boundaries (outlineRanked o) segments = []
-  | otherwise = contacts o flat
-  where
-    flat = withoutArea o
-    segments = map (segmentFrom o) (concatMap (segmentStarts o) (polygonIndices o))
+-- What a look at all polygons finds.
+data Look = Look
+  { lookFlat :: Set.Set Int
+  -- ^ The rings that have all corners on one line.
+  , lookAlone :: [SceneError]
+  -- ^ What polygons have wrong at their own corners.
+  , lookContacts :: [Contact]
+  -- ^ Where boundaries meet.
+  , lookPlaced :: Placed
+  }
 
-geometryErrors :: Outline -> [Contact] -> [SceneError]
-geometryErrors o found = inThemselves <> crossings <> overlapping <> positionErrors o flat met
+-- Is every polygon known to be where it may be?
+data Placed = AllInPlace | PlacesUnknown
+
+-- The sweep tells scenes without contacts at a cost that nothing can raise; only if it finds something, all is looked
+-- for. It is not made for polygons that have something wrong at their own corners.
+lookAt :: Outline -> Look
+lookAt o = case if null wrong then boundaries o else Meet of
+  Disjoint -> look [] AllInPlace
+  Misplaced -> look [] PlacesUnknown
+  Meet -> look (contacts o flat) PlacesUnknown
   where
-    flat = withoutArea o
-    inThemselves = concatMap (alone o flat) (polygonIndices o) <> [e | c <- found, Just e <- [ownContact o c]]
+    look = Look flat wrong
+    wrong = concatMap (alone o flat) (if placeTotal o < outlineTotal o then polygonIndices o else suspects)
+    flat = Set.fromList (filter (isFlat o) suspects)
+    suspects = filter (goesStraight o) (polygonIndices o)
+
+-- Does a polygon go straight on or back at a corner, or not away from there? No other one is flat or has a spike.
+goesStraight :: Outline -> Int -> Bool
+goesStraight o p = any straight (cornersOf o p)
+  where
+    straight i = case joinedTo o i of
+      (after, before) -> after /= noCorner && before /= noCorner && turn points before i after == Collinear
+    points = rankedPoints (outlineRanked o)
+
+geometryErrors :: Outline -> Look -> [SceneError]
+geometryErrors o look = inThemselves <> crossings <> overlapping <> positions
+  where
+    found = lookContacts look
+    inThemselves = lookAlone look <> [e | c <- found, Just e <- [ownContact o c]]
+    positions = case lookPlaced look of
+      AllInPlace -> []
+      PlacesUnknown -> positionErrors o (lookFlat look) met
     crossings = [CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t)) | Cross s t <- found]
     crossedByThemselves = [() | Cross s t <- found, owner s == owner t]
     crossed = Set.fromList [pairOf (owner s) (owner t) | Cross s t <- found]
@@ -116,12 +145,12 @@ ownContact o contact = case contact of
       p = ownerOf o s
   _ -> Nothing
 
--- | The rings that have all corners on one line.
-withoutArea :: Outline -> Set.Set Int
-withoutArea o = Set.fromList [p | p <- polygonIndices o, Ring <- [outlineForms o V.! p], not (hasArea p)]
+-- Is a polygon a ring that has all corners on one line?
+isFlat :: Outline -> Int -> Bool
+isFlat o p = outlineForms o V.! p == Ring && not hasArea
   where
     r = outlineRanked o
-    hasArea p = case cornersOf o p of
+    hasArea = case cornersOf o p of
       a : rest
         | b : others <- dropWhile (samePlace r a) rest -> any ((/= Collinear) . turn (rankedPoints r) a b) others
       _ -> False

@@ -1,6 +1,7 @@
 module Visibility.Scene.ContactSpec (spec) where
 
-import Data.List (sort)
+import Data.List (sort, sortOn)
+import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
@@ -25,6 +26,10 @@ spec = modifyMaxSuccess (* 20) $ do
     forAll fourCorners $ \places ->
       let (r, _, _) = segments places
        in [samePlace r i j | i <- [0 .. 3], j <- [0 .. 3]] === [a == b | a <- places, b <- places]
+  prop "lexicographic sorts by place, and keeps the order of corners in one place" $
+    forAll (choose (0, 40) >>= \n -> vectorOf n (Vector2 <$> coordinate <*> coordinate)) $ \places ->
+      map fromIntegral (U.toList (lexicographic (ranked (wholePlaces places))))
+        === map snd (sortOn (\(Vector2 x y, _) -> (x, y)) (zip places [0 :: Int ..]))
   it "isBelow counts a segment's left end, not its right end" $ do
     let (r, _, _) = segments [Vector2 0 5, Vector2 4 5, Vector2 0 0, Vector2 4 0]
     isBelow r 2 (Segment 0 1) `shouldBe` True

@@ -1,60 +1,95 @@
 module Visibility.Scene.DisjointSpec (spec) where
 
 import Data.List (nub, tails)
+import qualified Data.Set as Set
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
-import Visibility.Exact.Point (Vector2 (..), wholePlaces)
+import Visibility.Error (SceneError (..))
+import Visibility.Exact.Point (Point (..))
 import Visibility.Scene.Contact
 import Visibility.Scene.Disjoint
+import Visibility.Scene.Oracle
+import Visibility.Scene.Outline
+import Visibility.Scene.Raw
+import Visibility.Scene.Sample
 
 spec :: Spec
 spec = modifyMaxSuccess (* 20) $ do
   prop ("boundaries: Meet exactly when meeting is not Apart for two segments without a common corner, "
          <> "or two corners are in one place") $
-    forAll walls $ \places -> agrees places [Segment i (i + 1) | i <- [0, 2 .. length places - 2]]
+    forAll walls $ mixed . scene . map rawWall
   prop "the same for triangles" $
-    forAll triangles $ \places ->
-      agrees places $
-        concat [[Segment i (i + 1), Segment (i + 1) (i + 2), Segment (i + 2) i] | i <- [0, 3 .. length places - 3]]
+    forAll triangles $ mixed . scene . map rawPolygon
   prop "the same for a line of segments" $
-    forAll paths $ \places -> agrees places [Segment i (i + 1) | i <- [0 .. length places - 2]]
+    forAll paths $ mixed . scene . pure . rawWall
+  prop "else Misplaced exactly when an obstacle is inside of another one or outside of the enclosure" $
+    forAll nested $ \raw ->
+      cover 10 (verdict raw == Misplaced) "misplaced" $ cover 10 (verdict raw == Disjoint) "disjoint" $ agrees raw
   where
-    agrees places segments =
-      let r = ranked (wholePlaces places)
-          used = [0 .. length places - 1]
-          meets =
-            or [samePlace r i j | i <- used, j <- used, i < j]
-              || or [meeting r s t /= Apart | s : later <- tails segments, t <- later, apart s t]
-       in cover 5 meets "meet" $
-            cover 10 (not meets) "disjoint" $
-              boundaries r segments === (if meets then Meet else Disjoint)
+    mixed raw = cover 5 (verdict raw == Meet) "meet" $ cover 10 (verdict raw /= Meet) "apart" $ agrees raw
+    agrees raw = boundaries (outline (polygonsOf raw)) === verdict raw
+    scene = RawScene Nothing Nothing
+    verdict raw
+      | meets raw = Meet
+      | any isPosition (Set.toList (naiveErrors raw)) = Misplaced
+      | otherwise = Disjoint
+    isPosition e = case e of
+      NestedPolygon _ _ -> True
+      OutsideEnclosure _ -> True
+      _ -> False
+    meets raw =
+      let o = outline (polygonsOf raw)
+          r = outlineRanked o
+          used = concatMap (cornersOf o) (polygonIndices o)
+          segments = map (segmentFrom o) (concatMap (segmentStarts o) (polygonIndices o))
+       in or [samePlace r i j | i <- used, j <- used, i < j]
+            || or [meeting r s t /= Apart | s : later <- tails segments, t <- later, apart s t]
     apart (Segment a b) (Segment c d) = all (`notElem` [c, d]) [a, b]
-    place width = Vector2 <$> choose (0, width) <*> choose (0, width)
+    -- Squares and walls around each other and beside each other; with a room, which may be anywhere too.
+    nested = do
+      n <- choose (1, 5)
+      polygons <- vectorOf n nest
+      room <- oneof [pure Nothing, Just . rawPolygon <$> (square 20 =<< elements [9, 19])]
+      pure (scene polygons) {rawEnclosure = room}
+    nest = do
+      reach <- elements [1, 2, 4, 8]
+      corners <- square 20 reach
+      elements [rawPolygon corners, rawPolygon (reverse corners), rawWall (take 2 corners), rawWall (take 3 corners)]
+    -- A little turned, so that few corners are in one place and few sides on one line.
+    square :: Rational -> Rational -> Gen [Point]
+    square width reach = do
+      x <- fromInteger <$> choose (0, floor width)
+      y <- fromInteger <$> choose (0, floor width)
+      tilt <- elements [0, 1 / 7]
+      let (c, s) = (reach, tilt * reach)
+      pure [Point (x + dx) (y + dy) | (dx, dy) <- [(c, s), (negate s, c), (negate c, negate s), (s, negate c)]]
+    place width = Point <$> whole width <*> whole width
+    whole width = fromInteger <$> choose (0, width)
     walls = do
       (n, width) <- elements [(3, 3), (6, 9), (6, 60), (30, 100), (30, 2 ^ (40 :: Int))]
       k <- choose (0, n)
-      concat <$> vectorOf k (near width 2)
+      vectorOf k (near width 2)
     triangles = do
       n <- choose (0, 4)
       width <- elements [6, 12, 60]
-      concat <$> vectorOf n (near width 3 `suchThat` hasArea)
+      vectorOf n (near width 3 `suchThat` hasArea)
     -- Corners near to each other, so that some scenes are disjoint.
-    near :: Integer -> Int -> Gen [Vector2]
+    near :: Integer -> Int -> Gen [Point]
     near width n = do
-      Vector2 x y <- place width
+      Point x y <- place width
       reach <- elements [2, 4, 9]
-      let corner = (\(Vector2 dx dy) -> Vector2 (x + dx) (y + dy)) <$> place reach
+      let corner = (\(Point dx dy) -> Point (x + dx) (y + dy)) <$> place reach
       vectorOf n corner `suchThat` (\c -> length (nub c) == n)
     paths = do
       n <- choose (2, 7)
       width <- elements [4, 9]
       (scanl1 plus <$> vectorOf n (place width)) `orJumble` vectorOf n (place width) `suchThat` hasNoSpike
     orJumble a b = oneof [a, b]
-    plus (Vector2 x y) (Vector2 dx dy) = Vector2 (x + dx) (y + 4 - dy)
+    plus (Point x y) (Point dx dy) = Point (x + dx) (y + 4 - dy)
     hasArea [a, b, c] = cross a b c /= 0
     hasArea _ = False
     hasNoSpike path = and (zipWith3 isOpen path (drop 1 path) (drop 2 path)) && and (zipWith (/=) path (drop 1 path))
     isOpen a b c = cross a b c /= 0 || dot b a c < 0
-    cross (Vector2 ax ay) (Vector2 bx by) (Vector2 cx cy) = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    dot (Vector2 ox oy) (Vector2 ax ay) (Vector2 bx by) = (ax - ox) * (bx - ox) + (ay - oy) * (by - oy)
+    cross (Point ax ay) (Point bx by) (Point cx cy) = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    dot (Point ox oy) (Point ax ay) (Point bx by) = (ax - ox) * (bx - ox) + (ay - oy) * (by - oy)

@@ -1,5 +1,7 @@
 module Visibility.Scene.OutlineSpec (spec) where
 
+import Data.List (nub, sort)
+import qualified Data.Vector.Unboxed as U
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -42,6 +44,23 @@ spec = do
               | shape@(p, polygon) <- shapes
               , let n = length (rawCorners polygon)
               ]
+    prop "joins each corner to the ends of the segments there" $
+      forAllOutlines $ \_ o ->
+        conjoin
+          [ joinedTo o i === (ending [around o 1 s | s <- starts, s == i], ending [s | s <- starts, around o 1 s == i])
+          | p <- polygonIndices o
+          , let starts = segmentStarts o p
+          , i <- cornersOf o p
+          ]
+    prop "has all corners in the order of their places, and numbers these" $
+      forAllOutlines $ \_ o ->
+        let is = concatMap (cornersOf o) (polygonIndices o)
+            places = sort (map (placeOf o) is)
+            order = map fromIntegral (U.toList (outlineOrder o))
+         in map (placeOf o) order === places
+              .&&. sort order === is
+              .&&. map (placeOf o) is === map ((nub places !!) . numberOf o) is
+              .&&. (outlineTotal o, placeTotal o) === (length is, length (nub places))
     prop "orders places as points are ordered" $
       forAllOutlines $ \_ o ->
         let is = concatMap (cornersOf o) (polygonIndices o)
@@ -49,6 +68,7 @@ spec = do
          in conjoin [compare (placeOf o i) (placeOf o j) === compare (point i) (point j) | i <- is, j <- is]
   where
     names p = map (SideName p)
+    ending = foldr const noCorner
     forAllOutlines check =
       forAll (clutteredScenes `suchThat` (not . null . bodies)) $ \raw -> check (bodies raw) (outline (bodies raw))
     bodies raw = [shape | shape@(_, polygon) <- polygonsOf raw, length (rawCorners polygon) >= fewestCorners shape]
