@@ -22,6 +22,7 @@ import Data.Maybe (mapMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector as V
+import Visibility.Complex.Slabs
 import Visibility.Complex.Type
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate

@@ -216,12 +216,11 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
     -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is
     -- the next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
     look which !size !count !depth !swept !p !a !b
-      | Quarter <- extent, rises rightward a b = failed
-      | hasSplitEnds scene = readyTracks scene right left a b >>= maybe failed tracks
+      | hasSplitEnds scene = if isBeyond then failed else readyTracks scene right left a b >>= maybe failed tracks
       | otherwise = do
           there <- getList right (target a)
           back <- getList left (target b)
-          if there /= cornerList b || back /= cornerList a
+          if there /= cornerList b || back /= cornerList a || isBeyond
             then failed
             else do
               ahead <- getList right (target b)
@@ -234,6 +233,9 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
                     LeftTurn | LeftTurn <- onRight -> pair
                     _ -> beyond leftward left right b a >>= onLine
       where
+        isBeyond = case extent of
+          HalfTurn -> False
+          Quarter -> rises rightward a b
         failed = case which of
           RightFirst -> lookLeft size count depth swept p
           ThenLeft -> go size count depth swept

@@ -26,24 +26,20 @@ module Visibility.Sweep.Vertical
   , freeAbove
   , freeBelow
   , beyondAll
-  , slabs
+  , cornersFrom
+  , startingSides
   ) where
 
-import Control.Applicative ((<|>))
-import Control.Monad (forM_, when)
+import Control.Monad (foldM, forM_, when)
 import Control.Monad.ST (ST, runST)
 import Data.Int (Int32)
 import Data.List (sortBy)
-import Data.Set (Set)
-import qualified Data.Set as Set
-import qualified Data.Set.Internal as Set (Set (..), link, merge)
-import qualified Data.Vector as V
-import qualified Data.Vector.Mutable as Boxed
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Law (broken)
 import Visibility.Exact.Predicate
+import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Scene.Status
 
 -- | Which way a sweep's rays go along the line.
 data Heading = Rightward | Leftward
@@ -117,22 +113,116 @@ beyondAll scene = case surroundings scene of
   OpenSky -> skyCode scene
   Room -> solid
 
--- | The situation at the start of the half turn, for all corners.
+-- | The situation at the start of the half turn, for all corners, by a plane sweep from left to right.
+--
+-- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Of the corners in
+-- one place, at most one sees down and at most one sees up: those whose cones contain these directions.
 --
 -- /Cost/ O(n log n) time, O(n) memory.
 --
 -- /Source/ the start of the horizon trees, Rivière; the sky in place of a bounding box is this project's.
 verticalSweep :: Scene -> Vertical
 verticalSweep scene = runST $ do
-  floors' <- column
-  ceilings' <- column
-  visitPlaces scene (const (pure ())) $ \p floor' ceiling' -> do
-    M.unsafeWrite floors' p (fromIntegral floor')
-    M.unsafeWrite ceilings' p (fromIntegral ceiling')
+  floors' <- M.new n
+  ceilings' <- M.new n
+  -- The sides that the vertical meets, from below upwards, each in a slot.
+  status <- newStatus n
+  -- Of slot s, the ends of its side at 2s and 2s + 1.
+  ends <- M.new (2 * n)
+  -- The slots of the sides that end at corner c, at 2c and 2c + 1.
+  arrivals <- M.replicate (2 * n) (fromIntegral noSlot)
+  let
+    -- The slots from a number on are not in use yet.
+    visit !x !unused
+      | x >= n = pure ()
+      | otherwise = do
+          let here = cornersFrom scene x
+              starting = startingSides scene here
+          ending <- concat <$> mapM arriving here
+          (low, high, unused') <- case (ending, starting) of
+            ([s], [side]) -> do
+              occupy s side
+              low <- below status s
+              high <- above status s
+              pure (low, high, unused)
+            _ -> do
+              (low, high) <- gap x ending
+              filled low high unused starting
+              pure (low, high, unused + length starting)
+          under <- sideOf freeAbove low
+          over <- sideOf freeBelow high
+          forM_ here $ \p -> do
+            let (seesDown, seesUp) = verticals scene p
+            put floors' p (if seesDown then under else solid)
+            put ceilings' p (if seesUp then over else solid)
+          visit (x + length here) unused'
+
+    -- The slots around a place, when those that end there have been taken out.
+    gap x [] = lookupGap status (fmap (\(Crossing a b) -> turn (scenePoints scene) a b x == LeftTurn) . sideIn)
+    gap x slots = do
+      lows <- filter (`notElem` slots) <$> mapM (below status) slots
+      case lows of
+        [_] -> foldM (\_ s -> remove status s) (noSlot, noSlot) slots
+        _ -> broken "status of the plane sweep" ("at corner " <> show x)
+
+    filled _ _ _ [] = pure ()
+    filled low high s (side : others) = do
+      occupy s side
+      insertBetween status low high s
+      filled s high (s + 1) others
+
+    occupy s (Crossing a b) = do
+      put ends (2 * s) a
+      put ends (2 * s + 1) b
+      first <- get arrivals (2 * b)
+      put arrivals (if first == noSlot then 2 * b else 2 * b + 1) s
+
+    arriving c = do
+      s <- get arrivals (2 * c)
+      t <- get arrivals (2 * c + 1)
+      pure (filter (/= noSlot) [s, t])
+
+    sideIn s = Crossing <$> get ends (2 * s) <*> get ends (2 * s + 1)
+    sideOf part s = if s == noSlot then pure (beyondAll scene) else part scene <$> sideIn s
+  visit 0 0
   Vertical <$> U.unsafeFreeze floors' <*> U.unsafeFreeze ceilings'
   where
-    column :: ST s (M.MVector s Int32)
-    column = M.new (cornerCount scene)
+    n = cornerCount scene
+    get :: M.MVector s Int32 -> Int -> ST s Int
+    get table k = fromIntegral <$> M.read table k
+    put :: M.MVector s Int32 -> Int -> Int -> ST s ()
+    put table k value = M.write table k (fromIntegral value)
+
+-- | The corners in the place of one, which is the first of them.
+cornersFrom :: Scene -> Int -> [Int]
+cornersFrom scene x = x : [c | c <- takeWhile isHere [x + 1 .. cornerCount scene - 1]]
+  where
+    isHere c = samePlace scene (CornerId x) (CornerId c)
+
+-- | The sides that start at corners of one place, seen from the left, from the lowest to the uppermost. Of the two faces
+-- of one piece of a wall the lower one, which has free space on its right, comes first.
+startingSides :: Scene -> [Int] -> [Crossing]
+startingSides scene here = case [Crossing p q | p <- here, q <- neighbours p, p < q] of
+  found@(_ : _ : _) -> sortBy order found
+  found -> found
+  where
+    neighbours p
+      | following scene p == preceding scene p = [following scene p]
+      | otherwise = [following scene p, preceding scene p]
+    order (Crossing a b) (Crossing _ d) = case turn (scenePoints scene) a b d of
+      LeftTurn -> LT
+      RightTurn -> GT
+      Collinear -> if following scene a == b then LT else GT
+
+-- | Does the cone of a corner hold the direction down, and that up?
+verticals :: Scene -> Int -> (Bool, Bool)
+verticals scene p = case (before' < p, after < p) of
+  (True, False) -> (True, False)
+  (False, True) -> (False, True)
+  _ -> let around = turn (scenePoints scene) p before' after /= LeftTurn in (around, around)
+  where
+    before' = preceding scene p
+    after = following scene p
 
 -- | By corner: the corner at the far end of its elementary pair of least slope that leaves forward, 'solid' where its
 -- forward rays are solid, 'skyCode' where there is no such corner and it sees the sky.
@@ -158,7 +248,7 @@ firstTargets scene heading vertical = U.create $ do
           b <- M.unsafeRead nexts (fromIntegral a)
           if b /= nowhere && turnOf p (cornerOf a) (cornerOf b) == RightTurn then tangentChain p b else pure a
     visit !p = do
-      let !under = fromIntegral (below U.! p)
+      let !under = fromIntegral (underneath U.! p)
           !q = following scene p
       if under == solid
         then M.unsafeWrite targets p (fromIntegral (lowestSide p))
@@ -175,7 +265,7 @@ firstTargets scene heading vertical = U.create $ do
   pure targets
   where
     n = cornerCount scene
-    below = floorsFor heading vertical
+    underneath = floorsFor heading vertical
     nowhere = -1 :: Int32
     cornerOf node = let k = fromIntegral node in if k < n then k else k - n
     turnOf = turn (scenePoints scene)
@@ -187,110 +277,3 @@ firstTargets scene heading vertical = U.create $ do
       where
         next = following scene p
         previous = preceding scene p
-
--- | The sides that a vertical meets, from below upwards: entry k for the verticals between the corners k − 1 and k,
--- from before all corners, entry 0, to behind them, entry n. Each is found by asking of sides whether they lie below
--- a point.
---
--- /Cost/ O(n log n) time and memory: the sets share most of their nodes.
-slabs :: Scene -> V.Vector (Set Crossing)
-slabs scene = V.create $ do
-  table <- Boxed.replicate (n + 1) Set.empty
-  visitPlaces scene (\(from, to, crossing) -> forM_ [from .. to] $ \p -> Boxed.write table (p + 1) crossing) $
-    \_ _ _ -> pure ()
-  pure table
-  where
-    n = cornerCount scene
-
--- Note [The plane sweep]
--- ~~~~~~~~~~~~~~~~~~~~~~
--- What is carried from place to place: the sides that the vertical meets, from below upwards, in a balanced tree in
--- which a place is found by asking of sides whether they lie below a corner, and which is cut and joined there; its
--- elements are never compared with each other, for an order of theirs would hold at one vertical only.
-
--- | Visits the places of corners from left to right and keeps the sides that cross the vertical. Tells for each place
--- the first and the last corner there and the sides that cross the vertical after it; and for each corner what it meets
--- downwards and upwards.
---
--- /Degenerate cases/ corners on one vertical are visited in the order of their ids, like all others. Of the corners in
--- one place, at most one sees down and at most one sees up: those whose cones contain these directions.
---
--- /Cost/ O(n log n).
-visitPlaces
-  :: Scene
-  -> ((Int, Int, Set Crossing) -> ST s ())
-  -> (Int -> Int -> Int -> ST s ())
-  -> ST s ()
-visitPlaces scene visited found = visit Set.empty 0
-  where
-    visit !crossing !x
-      | x >= n = pure ()
-      | otherwise = do
-          let y = lastHere x
-              here = [x .. y]
-              ending = length [() | p <- here, q <- neighbours p, q < p]
-              starting = upwards' [Crossing p q | p <- here, q <- neighbours p, p < q]
-              Meeting below above crossing' = crossed ending starting x crossing
-              floorSide = maybe beyond (freeAbove scene) below
-              ceilingSide = maybe beyond (freeBelow scene) above
-          forM_ here $ \p -> do
-            let (seesDown, seesUp) = verticals p
-            found p (if seesDown then floorSide else solid) (if seesUp then ceilingSide else solid)
-          visited (x, y, crossing')
-          visit crossing' (y + 1)
-    n = cornerCount scene
-    beyond = beyondAll scene
-    -- The last corner in the place of this one.
-    lastHere x
-      | x + 1 < n && samePlace scene (CornerId x) (CornerId (x + 1)) = lastHere (x + 1)
-      | otherwise = x
-
-    next = following scene
-    previous = preceding scene
-    turnOf = turn (scenePoints scene)
-    endsAt x (Crossing _ b) = b == x || samePlace scene (CornerId b) (CornerId x)
-    isBelow x (Crossing a b) = turnOf a b x == LeftTurn
-
-    crossed count starting x crossing = case starting of
-      [side] | count == 1, Just replaced <- passing (endsAt x) (isBelow x) side crossing -> replaced
-      _
-        | count /= Set.size ending -> broken "status of the plane sweep" ("at corner " <> show x)
-        | otherwise -> Meeting (Set.lookupMax below) (Set.lookupMin above) $ case starting of
-            [] -> Set.merge below above
-            side : others -> Set.link side below (foldr (`Set.link` Set.empty) above others)
-      where
-        (below, from) = Set.spanAntitone (isBelow x) crossing
-        (ending, above) = Set.spanAntitone (endsAt x) from
-
-    neighbours p = if next p == previous p then [next p] else [next p, previous p]
-    -- Sides that start at one place, from the lowest to the uppermost. Of the two faces of one piece of a wall the lower
-    -- one, which has free space on its right, comes first.
-    upwards' [] = []
-    upwards' [side] = [side]
-    upwards' starting = sortBy order starting
-      where
-        order (Crossing a b) (Crossing _ d) = case turnOf a b d of
-          LeftTurn -> LT
-          RightTurn -> GT
-          Collinear -> if next a == b then LT else GT
-    -- Does the cone of a corner hold the direction down, and that up?
-    verticals p = case (previous p < p, next p < p) of
-      (True, False) -> (True, False)
-      (False, True) -> (False, True)
-      _ -> let around = turnOf p (previous p) (next p) /= LeftTurn in (around, around)
-{-# INLINE visitPlaces #-}
-
--- | What a vertical meets at a place: the sides just below and just above it, and all sides after it.
-data Meeting = Meeting !(Maybe Crossing) !(Maybe Crossing) !(Set Crossing)
-
--- | Puts a side in the place of the one that ends at the place, if one only does; so the tree keeps its shape.
---
--- /Cost/ O(log n).
-passing :: (Crossing -> Bool) -> (Crossing -> Bool) -> Crossing -> Set Crossing -> Maybe Meeting
-passing ends below side = go Nothing Nothing
-  where
-    go _ _ Set.Tip = Nothing
-    go !low !high (Set.Bin size c l r)
-      | ends c = Just (Meeting (Set.lookupMax l <|> low) (Set.lookupMin r <|> high) (Set.Bin size side l r))
-      | below c = fmap (\(Meeting b a r') -> Meeting b a (Set.Bin size c l r')) (go (Just c) high r)
-      | otherwise = fmap (\(Meeting b a l') -> Meeting b a (Set.Bin size c l' r)) (go low (Just c) l)
