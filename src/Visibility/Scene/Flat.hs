@@ -4,6 +4,7 @@ module Visibility.Scene.Flat
   ) where
 
 import Data.Int (Int32)
+import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortBy)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
@@ -196,7 +197,12 @@ statedAnew scene walks elements = (stated, names)
         , statedSideFirsts = sideFirsts
         , statedSideOwners = ownersFrom sideFirsts
         , statedSideEnds = U.fromList (concatMap ends (U.toList elements))
-        , statedMaterials = V.fromList [statedMaterials old V.! oldSide c | c <- U.toList elements]
+        , statedOverrides =
+            IntMap.fromList
+              [ (k, own)
+              | (k, c) <- zip [0 ..] (U.toList elements)
+              , Just own <- [IntMap.lookup (oldSide c) (statedOverrides old)]
+              ]
         }
     ends c
       | pieceDirection scene walks (piece walks U.! c) == sideDirection old (oldSide c) = both

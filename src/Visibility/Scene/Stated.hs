@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | What a file states, by number: its corners and its sides, polygon by polygon, the enclosure last.
 module Visibility.Scene.Stated
   ( Stated (..)
@@ -11,9 +13,11 @@ module Visibility.Scene.Stated
   , statedSideName
   , statedSideNumber
   , statedWay
+  , materialOf
   ) where
 
 import Data.Int (Int32)
+import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
@@ -38,10 +42,12 @@ data Stated = Stated
   -- ^ By polygon: the number of its side 0; then the number of sides.
   , statedSideOwners :: !(U.Vector Int32)
   -- ^ By side: its polygon.
-  , statedSideEnds :: !(U.Vector Int32)
-  -- ^ The corners that side i joins at 2i and 2i+1.
+  , statedSideEnds :: U.Vector Int32
+  -- ^ The corners that side i joins at 2i and 2i+1. Made when it is first needed.
   , statedMaterials :: !(V.Vector Material)
-  -- ^ By side, overrides applied.
+  -- ^ By polygon: the material of all its sides but for the next ones.
+  , statedOverrides :: !(IntMap.IntMap Material)
+  -- ^ By side, if it has a material of its own.
   }
 
 -- | /Requires/ the shapes of the outline. /Cost/ O(n).
@@ -54,31 +60,41 @@ statedFrom shapes o =
     , statedOwners = outlineOwner o
     , statedSideFirsts = firsts
     , statedSideOwners = owners
-    , statedSideEnds = U.generate (2 * U.length owners) (\k -> fromIntegral (end (k `quot` 2) (k `rem` 2)))
+    , statedSideEnds = sideEndsFrom forms cornerFirsts firsts owners
     , statedMaterials = V.foldr seq materials materials
+    , statedOverrides =
+        IntMap.fromList
+          [ (firsts U.! p + k, overridden (rawMaterial polygon) own)
+          | (p, (_, polygon)) <- zip [0 ..] shapes
+          , (k, own) <- Map.toList (rawSides polygon)
+          ]
     }
   where
-    firsts = sideFirsts o
-    owners = ownersFrom firsts
-    end s k = case outlineForms o V.! p of
-      Ring -> if start + k == outlineFirst o U.! (p + 1) then first else start + k
+    !firsts = sideFirsts o
+    !owners = ownersFrom firsts
+    -- What is made later holds no more of the outline.
+    !forms = outlineForms o
+    !cornerFirsts = outlineFirst o
+    materials = V.fromListN (length shapes) (map (shared . rawMaterial . snd) shapes)
+    -- Of the most frequent one there is one only in memory.
+    shared material = if material == black then black else material
+    overridden (Material e r) (MaterialOverride e' r') = Material (fromMaybe e e') (fromMaybe r r')
+
+-- 'statedSideEnds' from the forms of polygons, their first corners and sides, and the polygons of sides.
+sideEndsFrom :: V.Vector Form -> U.Vector Int -> U.Vector Int -> U.Vector Int32 -> U.Vector Int32
+sideEndsFrom forms cornerFirsts firsts owners =
+  U.generate (2 * U.length owners) (\k -> fromIntegral (end (k `quot` 2) (k `rem` 2)))
+  where
+    end s k = case forms V.! p of
+      Ring -> if start + k == cornerFirsts U.! (p + 1) then first else start + k
       -- The second face goes back.
       Polyline
-        | start + 1 < outlineFirst o U.! (p + 1) -> start + k
-        | otherwise -> 2 * outlineFirst o U.! (p + 1) - 2 - start - k
+        | start + 1 < cornerFirsts U.! (p + 1) -> start + k
+        | otherwise -> 2 * cornerFirsts U.! (p + 1) - 2 - start - k
       where
         p = fromIntegral (owners U.! s)
-        first = outlineFirst o U.! p
+        first = cornerFirsts U.! p
         start = first + s - firsts U.! p
-    materials = V.concat (zipWith materialsOf (map snd shapes) (polygonIndices o))
-    materialsOf polygon p
-      | Map.null (rawSides polygon) = V.replicate count material
-      | otherwise = V.generate count (\k -> maybe material overridden (Map.lookup k (rawSides polygon)))
-      where
-        count = firsts U.! (p + 1) - firsts U.! p
-        material = rawMaterial polygon
-        overridden (MaterialOverride e r) =
-          Material (fromMaybe (emission material) e) (fromMaybe (reflectivity material) r)
 
 -- | The number of corners.
 statedTotal :: Stated -> Int
@@ -111,6 +127,12 @@ statedWay :: Stated -> Int -> Way
 statedWay stated i = way (end 0) (end 1)
   where
     end k = placeAt (statedPlaces stated) (fromIntegral (statedSideEnds stated U.! (2 * i + k)))
+
+-- | The material of a side, by number.
+materialOf :: Stated -> Int -> Material
+materialOf stated i = IntMap.findWithDefault whole i (statedOverrides stated)
+  where
+    whole = statedMaterials stated V.! fromIntegral (statedSideOwners stated U.! i)
 
 numberIn :: U.Vector Int -> Maybe Int -> Int -> Maybe Int
 numberIn firsts polygon k = case polygon of

@@ -111,8 +111,8 @@ data Scene = Scene
   -- ^ By stated side, the corners at which pieces of it begin.
   , sceneContacts :: !Int
   -- ^ How many places there are where stated corners touch other corners or sides.
-  , scenePolygons :: ![Polygon]
-  -- ^ In the file's order, the enclosure last.
+  , scenePolygons :: [Polygon]
+  -- ^ In the file's order, the enclosure last. Made when they are first needed.
   }
 
 -- | A polygon of a scene as the file states it: its corners in the file's order, made when they are first needed.
@@ -132,7 +132,7 @@ assemble title touching shapes o boundary =
   Scene
     { sceneTitle = shown <$> title
     , surroundings = if any ((== Enclosure) . fst) shapes then Room else OpenSky
-    , sceneLattice = outlineLattice o
+    , sceneLattice = lattice
     , sceneArithmetic = Filtered
     , scenePoints = points
     , neighbourTable = neighbours
@@ -140,25 +140,37 @@ assemble title touching shapes o boundary =
     , hasSharedPlaces = touching > 0 || U.or (U.zipWith (==) places (U.drop 1 places))
     , splitEnds = splitEndsOf points neighbours
     , sceneStated = stated
-    , statedPlaceNumbers = statedNumbers boundary
+    , statedPlaceNumbers = numbers
     , namingCorners = freeNames boundary
-    , facedSides = freeSides boundary
-    , statedByPlace = bucketsOf (statedNumbers boundary)
-    , piecesBySide = bucketsBy (statedSideTotal stated) (freeSides boundary)
+    , facedSides = faced
+    , statedByPlace = bucketsOf numbers
+    , piecesBySide = bucketsBy (statedSideTotal stated) faced
     , sceneContacts = touching
-    , scenePolygons = foldr seq polygons polygons
+    , scenePolygons = polygonsFrom stated lattice forms names
     }
   where
     stated = statedFrom shapes o
     points = pointsOn Filtered (rearranged (freePlaces boundary) (statedPlaces stated))
     neighbours = neighboursAlong (freeNexts boundary)
-    places = U.map (\i -> statedNumbers boundary U.! fromIntegral i) (freePlaces boundary)
-    polygons = zipWith polygon shapes [0 ..]
-    polygon shape@(p, raw) k = Polygon p (shown <$> rawPolygonName raw) (formOf shape) (pointsOf (cornersOf o k))
-    -- What waits for their use holds no more of the outline than it needs.
-    pointsOf = map (\i -> fromLattice lattice (placeAt (statedPlaces stated) i))
+    places = U.map (\i -> numbers U.! fromIntegral i) (freePlaces boundary)
+    -- What is made later holds no more of the outline and of the boundary than it needs, and nothing of the file.
     !lattice = outlineLattice o
+    !numbers = statedNumbers boundary
+    !faced = freeSides boundary
+    !forms = outlineForms o
+    !names = foldr (\(_, polygon) rest -> let !name = nameOf polygon; !others = rest in name : others) [] shapes
+    nameOf polygon = case rawPolygonName polygon of
+      Nothing -> Nothing
+      Just name -> Just $! shown name
     shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
+
+-- Polygons with these forms and names.
+polygonsFrom :: Stated -> Lattice -> V.Vector Form -> [Maybe Text] -> [Polygon]
+polygonsFrom stated lattice forms = zipWith polygon [0 ..]
+  where
+    polygon p name = Polygon (statedIds stated V.! p) name (forms V.! p) (map point (members p))
+    members p = [statedFirsts stated U.! p .. statedFirsts stated U.! (p + 1) - 1]
+    point = fromLattice lattice . placeAt (statedPlaces stated)
 
 -- | 'neighbourTable' from the corner that follows each.
 neighboursAlong :: U.Vector Int32 -> U.Vector Int32
@@ -305,7 +317,7 @@ sideEnd scene = nextCorner scene . sideStart
 
 -- | The material of a side, overrides applied.
 sideMaterial :: Scene -> SideId -> Material
-sideMaterial scene (SideId s) = statedMaterials (sceneStated scene) V.! fromIntegral (facedSides scene U.! s)
+sideMaterial scene (SideId s) = materialOf (sceneStated scene) (fromIntegral (facedSides scene U.! s))
 
 -- | What the file calls this side, or the one that it is a piece of.
 sideName :: Scene -> SideId -> SideName
@@ -341,7 +353,7 @@ sideEnds scene name = (end 0, end 1)
 
 -- | The material of a side of the file. /Requires/ the name of a side.
 statedMaterial :: Scene -> SideName -> Material
-statedMaterial scene name = statedMaterials (sceneStated scene) V.! sideNumber scene name
+statedMaterial scene name = materialOf (sceneStated scene) (sideNumber scene name)
 
 -- | The place in 'statedSides' of a name. /Requires/ the name of a side.
 sideNumber :: Scene -> SideName -> Int
