@@ -7,7 +7,8 @@ module Command.Query
   ) where
 
 import Command.Mesh (divided)
-import Data.ByteString.Builder (byteString, stringUtf8)
+import Data.ByteString.Builder (stringUtf8)
+import Data.ByteString.Builder.Extra (byteStringCopy)
 import Options
 import Progress (withProgress)
 import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
@@ -41,7 +42,7 @@ runGraph common options = withScene common $ \scene ->
       each = sweepingPieces common (graphJobs options) scene
    in case lineOrder options of
         ByName -> each keys (printed . sortedLines names)
-        AsSwept -> each (linesOf names . keys) (streamed . foldMap byteString)
+        AsSwept -> each (linesOf names . keys) (streamed . foldMap byteStringCopy)
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()

@@ -106,9 +106,10 @@ finish scene = runST $ do
         | otherwise = run HalfTurn state pieceSize depth swept >>= go
   run HalfTurn state pieceSize (cornerCount scene) 0 >>= go
 
--- | How many vertices are swept at a time.
+-- | How many vertices are swept at a time: so few that another thread never waits long until this one can be stopped
+-- for a garbage collection, since the steps themselves allocate nothing.
 pieceSize :: Int
-pieceSize = 4096
+pieceSize = 1024
 
 -- | The next vertex and the state after it, 'Nothing' at the end of the half turn. /Cost/ O(n), for copying the state.
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
@@ -136,9 +137,16 @@ prepared scene = Prepared scene (frame tables Rightward) (frame tables Leftward)
   where
     tables = sceneTables scene
 
--- | The state while it changes: both trees; which corners are pending; and a stack with the pending corners.
+-- | The state while it changes: both trees; which corners are pending; a stack with the pending corners; and room for
+-- the numbers of a piece.
 data Running s
-  = Running !Prepared !(Growing s) !(Growing s) !(MutablePrimArray s Int32) !(MutablePrimArray s Int32)
+  = Running
+      !Prepared
+      !(Growing s)
+      !(Growing s)
+      !(MutablePrimArray s Int32)
+      !(MutablePrimArray s Int32)
+      !(MutablePrimArray s Int32)
 
 -- | The state just above −90°, in which all corners are pending.
 begun :: Prepared -> ST s (Running s)
@@ -149,19 +157,23 @@ begun known@(Prepared scene rightward leftward) = do
   setPrimArray waiting 0 n 1
   stack <- newPrimArray n
   forM_ [0 .. n - 1] $ \p -> writePrimArray stack p (fromIntegral p)
-  pure (Running known right left waiting stack)
+  Running known right left waiting stack <$> newPrimArray (roomFor scene pieceSize)
   where
     n = cornerCount scene
     vertical = verticalSweep scene
 
--- | A changeable copy of a state.
+-- | How many numbers so many vertices may take: two corners each, or on some lines more, each corner of the scene once.
+roomFor :: Scene -> Int -> Int
+roomFor scene most = 2 * most + cornerCount scene
+
+-- | A changeable copy of a state, for single steps.
 resumed :: Prepared -> Sweep -> ST s (Running s)
 resumed known@(Prepared scene _ _) state = do
   right <- thawed (rightTree state)
   left <- thawed (leftTree state)
   waiting <- copied (isPending state)
   stack <- copied (pending state)
-  pure (Running known right left waiting stack)
+  Running known right left waiting stack <$> newPrimArray (roomFor scene 1)
   where
     copied numbers = do
       copy <- newPrimArray (cornerCount scene)
@@ -170,7 +182,7 @@ resumed known@(Prepared scene _ _) state = do
 
 -- | The state as it is now, with the depth of its stack and the number of pairs swept. /Requires/ no change after it.
 stopped :: Running s -> Int -> Int -> ST s Sweep
-stopped (Running _ right left waiting stack) depth swept = do
+stopped (Running _ right left waiting stack _) depth swept = do
   right' <- frozen right
   left' <- frozen left
   waiting' <- unsafeFreezePrimArray waiting
@@ -192,8 +204,7 @@ data Extent
 
 -- | Takes corners off the stack until so many vertices have been swept; none only at the end.
 run :: Extent -> Running s -> Int -> Int -> Int -> ST s Progress
-run !extent (Running (Prepared scene rightward leftward) right left waiting stack) !most !deep !before' = do
-  written <- newPrimArray room
+run !extent (Running (Prepared scene rightward leftward) right left waiting stack written) !most !deep !before' = do
   let
     go !size !count !depth !swept
       | count <= 0 || depth <= 0 || size > room - n = pure (Progress size depth swept (pieceOf []))
@@ -302,11 +313,12 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
           pure (depth + 1)
 
   Progress size depth swept _ <- go 0 most deep before'
-  shrinkMutablePrimArray written size
-  Progress size depth swept . Piece <$> unsafeFreezePrimArray written
+  found <- newPrimArray size
+  copyMutablePrimArray found 0 written 0 size
+  Progress size depth swept . Piece <$> unsafeFreezePrimArray found
   where
     n = cornerCount scene
-    room = 2 * most + n
+    room = roomFor scene most
 
 -- | The turn at b from the line from a to the next pair of b in the same heading: left if there is none.
 continuing :: Frame -> Int -> Int -> List -> Turn
