@@ -9,6 +9,7 @@ module Visibility.Sorting
   , bucketsBy
   , bucketTotal
   , bucketOf
+  , bucketSlice
     -- * Two numbers in one
   , Pair
   , pairOf
@@ -85,6 +86,13 @@ bucketOf (Buckets starts members) g = [fromIntegral (members U.! k) | k <- [from
     from = fromIntegral (starts U.! g)
     to = fromIntegral (starts U.! (g + 1))
 {-# INLINE bucketOf #-}
+
+-- | The same, as a part of the table.
+bucketSlice :: Buckets -> Int -> U.Vector Int32
+bucketSlice (Buckets starts members) g = U.slice from (fromIntegral (starts U.! (g + 1)) - from) members
+  where
+    from = fromIntegral (starts U.! g)
+{-# INLINE bucketSlice #-}
 
 -- | Two numbers from 0 to below 2^32 in one that sorts like the two.
 type Pair = Int

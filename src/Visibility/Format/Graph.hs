@@ -14,11 +14,13 @@ module Visibility.Format.Graph
   , sortedLines
   ) where
 
-import Control.Monad (foldM, foldM_, when)
-import Control.Monad.ST (runST)
-import Data.ByteString.Builder (Builder, byteString)
+import Control.Monad (when)
+import qualified Data.ByteString as ByteString
+import Data.ByteString.Builder (Builder, byteString, char7, string7, toLazyByteString)
 import Data.ByteString.Internal (ByteString, unsafeCreateUptoN)
-import Data.Char (ord)
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString.Unsafe as Unsafe
+import Data.Int (Int32)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as U
 import Data.Word (Word8)
@@ -74,11 +76,11 @@ pairKeys scene names selection = case selection of
     direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in pairOf (min a b) (max a b)
     ranks = U.map fromIntegral (cornerRanks scene)
 
--- | The texts of all corners of the file, in order, one after the other, with 'slack' behind them; where each begins
--- and the last ends; and by polygon, the enclosure last, the rank of its corner 0.
+-- | The texts of all corners of the file, in order, each with a space after it, and 'slack' behind them; where each
+-- begins and the last ends; and by polygon, the enclosure last, the rank of its corner 0.
 data Names = Names
   { nameBytes :: !(PrimArray Word8)
-  , nameStarts :: !(U.Vector Int)
+  , nameStarts :: !(U.Vector Int32)
   , firstRanks :: !(U.Vector Int)
   }
 
@@ -88,14 +90,20 @@ namesOf scene = Names {nameBytes = bytes, nameStarts = starts, firstRanks = firs
   where
     polygons = polygonSizes scene
     firsts = U.fromList (scanl (+) 0 (map snd polygons))
-    starts = U.scanl' (+) 0 (U.fromListN (U.last firsts) (concatMap (map length . texts) polygons))
-    texts (polygon, size) = [cornerText (CornerName polygon k) | k <- [0 .. size - 1]]
-    -- Written one by one, so that no text is kept.
-    bytes = runST $ do
-      table <- newPrimArray (U.last starts + slack)
-      setPrimArray table (U.last starts) slack 0
-      foldM_ (foldM (\i c -> (i + 1) <$ writePrimArray table i (fromIntegral (ord c)))) 0 (concatMap texts polygons)
-      unsafeFreezePrimArray table
+    texts =
+      Lazy.toStrict . toLazyByteString . mconcat $
+        [ string7 (cornerText (CornerName polygon k)) <> char7 ' '
+        | (polygon, size) <- polygons
+        , k <- [0 .. size - 1]
+        ]
+    size' = ByteString.length texts
+    starts = U.cons 0 (U.map (+ 1) (U.filter endsName (U.enumFromN 0 size')))
+    endsName i = Unsafe.unsafeIndex texts (fromIntegral i) == space
+    bytes = generatePrimArray (size' + slack) (\i -> if i < size' then Unsafe.unsafeIndex texts i else 0)
+
+space, newline :: Word8
+space = 32
+newline = 10
 
 nameTotal :: Names -> Int
 nameTotal names = U.length (nameStarts names) - 1
@@ -116,20 +124,20 @@ slack = 8
 linesOf :: Names -> U.Vector Key -> ByteString
 linesOf names ks = unsafeCreateUptoN (total + slack) (\begin -> (`minusPtr` begin) <$> go begin 0)
   where
-    total = U.foldl' (\sum' k -> let (a, b) = parts k in sum' + long a + long b + 2) 0 ks
-    from = U.unsafeIndex (nameStarts names)
+    total = U.foldl' (\sum' k -> let (a, b) = parts k in sum' + long a + long b) 0 ks
+    from k = fromIntegral (U.unsafeIndex (nameStarts names) k)
+    -- With the space after it.
     long k = from (k + 1) - from k
     go !place !k
       | k >= U.length ks = pure place
       | otherwise = do
           let (a, b) = parts (U.unsafeIndex ks k)
               between = place `plusPtr` long a
-              end = between `plusPtr` (1 + long b)
+              end = between `plusPtr` long b
           copied place (from a) (from (a + 1))
-          poke between (32 :: Word8)
-          copied (between `plusPtr` 1) (from b) (from (b + 1))
-          poke end (10 :: Word8)
-          go (end `plusPtr` 1) (k + 1)
+          copied between (from b) (from (b + 1))
+          poke (end `plusPtr` (-1)) newline
+          go end (k + 1)
     copied :: Ptr Word8 -> Int -> Int -> IO ()
     copied !place !i !end = do
       copyPrimArrayToPtr place (nameBytes names) i slack

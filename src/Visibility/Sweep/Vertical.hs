@@ -136,26 +136,32 @@ verticalSweep scene = runST $ do
     visit !x !unused
       | x >= n = pure ()
       | otherwise = do
-          let here = cornersFrom scene x
-              starting = startingSides scene here
-          ending <- concat <$> mapM arriving here
-          (low, high, unused') <- case (ending, starting) of
-            ([s], [side]) -> do
-              occupy s side
+          s <- get arrivals (2 * x)
+          t <- get arrivals (2 * x + 1)
+          let later = max (following scene x) (preceding scene x)
+          -- What happens most often has a way of its own, without lists: a side takes the slot of another.
+          if s /= noSlot && t == noSlot && later > x && isLast x
+            then do
+              occupy s (Crossing x later)
               low <- below status s
               high <- above status s
-              pure (low, high, unused)
-            _ -> do
-              (low, high) <- gap x ending
+              seen low high x
+              visit (x + 1) unused
+            else do
+              let here = cornersFrom scene x
+                  starting = startingSides scene here
+              (low, high) <- concat <$> mapM arriving here >>= gap x
               filled low high unused starting
-              pure (low, high, unused + length starting)
-          under <- sideOf freeAbove low
-          over <- sideOf freeBelow high
-          forM_ here $ \p -> do
-            let (seesDown, seesUp) = verticals scene p
-            put floors' p (if seesDown then under else solid)
-            put ceilings' p (if seesUp then over else solid)
-          visit (x + length here) unused'
+              mapM_ (seen low high) here
+              visit (x + length here) (unused + length starting)
+
+    isLast x = x + 1 >= n || not (samePlace scene (CornerId x) (CornerId (x + 1)))
+
+    -- What a corner sees between two slots.
+    seen low high p = do
+      let (seesDown, seesUp) = verticals scene p
+      if seesDown then sideOf freeAbove low >>= put floors' p else put floors' p solid
+      if seesUp then sideOf freeBelow high >>= put ceilings' p else put ceilings' p solid
 
     -- The slots around a place, when those that end there have been taken out.
     gap x [] = lookupGap status (fmap (\(Crossing a b) -> turn (scenePoints scene) a b x == LeftTurn) . sideIn)

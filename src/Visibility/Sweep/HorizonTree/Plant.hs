@@ -30,9 +30,16 @@ plant f heading targets = do
     putList tree (target p) l
     unless (l == noList) $ putNode tree (edge p) (nodeTo p l)
     unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  forM_ [0 .. n - 1] $ \q -> mapM_ (append tree (cornerList q)) $ case map nodeCoded (bucketOf arriving q) of
-    nodes@[_] -> nodes
-    nodes -> sortBy (ascending q) nodes
+  forM_ [0 .. n - 1] $ \q -> do
+    let nodes = bucketSlice arriving q
+        !l = cornerList q
+        nodeAt' = nodeCoded . U.unsafeIndex nodes
+    case U.length nodes of
+      0 -> pure ()
+      1 -> append tree l (nodeAt' 0)
+      2 | ascending q (nodeAt' 0) (nodeAt' 1) == GT -> append tree l (nodeAt' 1) >> append tree l (nodeAt' 0)
+        | otherwise -> append tree l (nodeAt' 0) >> append tree l (nodeAt' 1)
+      _ -> mapM_ (append tree l) (sortBy (ascending q) (map nodeCoded (U.toList nodes)))
   eachCorner (relink f tree)
   pure tree
   where
@@ -62,7 +69,7 @@ plant f heading targets = do
       where
         i = k `quot` 2
         q = following f i
-    nodeCoded k = if even k then edgeNode (k `quot` 2) else markerNode (k `quot` 2)
+    nodeCoded code = let k = fromIntegral code `quot` 2 in if even code then edgeNode k else markerNode k
     ascending q a b = case turnIn f q (sourceOf a) (sourceOf b) of
       LeftTurn -> LT
       Collinear -> compare (isLowerFace q a) (isLowerFace q b)
