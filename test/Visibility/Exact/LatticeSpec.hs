@@ -130,8 +130,8 @@ machineGroups = do
   k <- choose (0, 4)
   vectorOf k $ do
     d <- elements denominators
-    n <- choose (1, 4)
-    let coordinate = oneof [choose (0, width), elements [0, width]]
+    n <- choose (1, 6)
+    let coordinate = frequency [(1, choose (0, width)), (3, elements [0, width])]
         number = (\v -> if d == 1 then fromInteger (offset + v) else v % d) <$> coordinate
     vectorOf n (Point <$> number <*> number)
 
