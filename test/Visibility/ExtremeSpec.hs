@@ -14,6 +14,7 @@ import System.Timeout (timeout)
 import Test.Hspec
 import Visibility.Complex (complexOf)
 import Visibility.Complex.Law (violations)
+import Visibility.Exact.Bisection (bisected)
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding
@@ -292,16 +293,10 @@ hottel size parts = (sum (map fst bounds) / (2 * size), sum (map snd bounds) / (
     bound (Uncrossed p q) = let (low, high) = apart p q in (negate high, negate low)
     apart (Point ax ay) (Point bx by) = enclosedRoot ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
 
--- | The root of a rational in an interval of 10⁻⁸⁰⁰, by bisection.
+-- | The root of a rational in an interval of 10⁻⁸⁰⁰.
 enclosedRoot :: Rational -> (Rational, Rational)
 enclosedRoot q = (fromInteger r / unit, fromInteger (r + 1) / unit)
   where
     unit = 10 ^ (800 :: Int)
     n = floor (q * unit * unit) :: Integer
-    r = bisected 0 (n + 1)
-    bisected a b
-      | b - a <= 1 = a
-      | c * c <= n = bisected c b
-      | otherwise = bisected a c
-      where
-        c = (a + b) `div` 2
+    r = bisected n

@@ -7,21 +7,7 @@ import Test.Hspec
 import Test.QuickCheck
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Lattice
-
--- | Points with denominators of all kinds, at least one.
-newtype SomePoints = SomePoints [Point]
-  deriving (Show)
-
-instance Arbitrary SomePoints where
-  arbitrary = SomePoints <$> listOf1 (Point <$> coordinate <*> coordinate)
-    where
-      coordinate =
-        oneof
-          [ fromInteger <$> choose (-9, 9)
-          , (%) <$> choose (-99, 99) <*> choose (1, 30)
-          , (*) . (10 ^^) <$> choose (-40, 40 :: Int) <*> arbitrary
-          ]
-  shrink (SomePoints ps) = [SomePoints qs | qs <- shrinkList (const []) ps, not (null qs)]
+import Visibility.Exact.SomePoints
 
 -- | Points whose denominators have little in common.
 newtype OwnDenominators = OwnDenominators [Point]

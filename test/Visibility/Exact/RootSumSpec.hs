@@ -11,6 +11,7 @@ import qualified Data.Set as Set
 import System.Timeout (timeout)
 import Test.Hspec
 import Test.QuickCheck hiding (Negative, Positive)
+import Visibility.Exact.Bisection (bisected)
 import Visibility.Exact.IntegerRoot (exactSquareRoot)
 import Visibility.Exact.RootSum
 
@@ -65,17 +66,6 @@ summed ts = fromMaybe (rational (10 ^ (400 :: Int))) (fromTerms ts)
 -- | What a term is worth whatever its spelling.
 worth :: [(Rational, Integer)] -> Set.Set (Rational, Rational)
 worth ts = Set.fromList [(signum c, c * c * fromInteger n) | (c, n) <- ts]
-
--- | The integer square root by bisection.
-bisected :: Integer -> Integer
-bisected n = go 0 (n + 1)
-  where
-    go a b
-      | b - a <= 1 = a
-      | c * c <= n = go c b
-      | otherwise = go a c
-      where
-        c = (a + b) `div` 2
 
 -- | Bounds of a sum of known cores to d decimal places per unit of coefficient.
 bounds :: Int -> Map Integer Rational -> (Rational, Rational)

@@ -1,0 +1,23 @@
+-- | What the specs of points and lattices share.
+module Visibility.Exact.SomePoints
+  ( SomePoints (..)
+  ) where
+
+import Data.Ratio ((%))
+import Test.QuickCheck
+import Visibility.Exact.Point (Point (..))
+
+-- | Points with denominators of all kinds, at least one.
+newtype SomePoints = SomePoints [Point]
+  deriving (Show)
+
+instance Arbitrary SomePoints where
+  arbitrary = SomePoints <$> listOf1 (Point <$> coordinate <*> coordinate)
+    where
+      coordinate =
+        oneof
+          [ fromInteger <$> choose (-9, 9)
+          , (%) <$> choose (-99, 99) <*> choose (1, 30)
+          , (*) . (10 ^^) <$> choose (-40, 40 :: Int) <*> arbitrary
+          ]
+  shrink (SomePoints ps) = [SomePoints qs | qs <- shrinkList (const []) ps, not (null qs)]
