@@ -24,10 +24,7 @@ import Visibility.View
 spec :: Spec
 spec = do
   describe "every scene in scenes/" $
-    withGallery $ \name scene -> do
-      let drawing = drawn scene
-      it (name <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
-      it (name <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+    withGallery $ \name scene -> legible name (drawn scene)
   describe "of any scene" $ do
     it "has a dot for each vertex, and one more for each vertical one" $
       property $ \(AnyScene s) ->
@@ -77,8 +74,7 @@ spec = do
               ]
     it "no label covers anything, and nothing leaves the canvas" $
       property $ \(AnyScene s) ->
-        let drawing = drawn (sampleScene s)
-         in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (drawn (sampleScene s))
   describe "the ticks" $ do
     it "are at the values that they state" $
       property $ \(AnyScene s) ->

@@ -4,6 +4,8 @@ module Visibility.Draw.Gallery
   ( withGallery
   , goldenScenes
   , withValid
+  , legible
+  , isLegible
   , displaced
   , cornerSights
   , forAllViewpoints
@@ -67,6 +69,16 @@ goldenScenes =
 
 withValid :: RawScene -> (Scene -> Expectation) -> Expectation
 withValid raw check = either (expectationFailure . show) check (validate raw)
+
+-- | What holds of every figure, as examples about something: all of it can be read.
+legible :: String -> Drawing -> Spec
+legible about drawing = do
+  it (about <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
+  it (about <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+
+-- | The same of any figure: no label covers anything, and nothing leaves the canvas.
+isLegible :: Drawing -> Property
+isLegible drawing = (labelCollisions drawing, strayMarks drawing) === ([], [])
 
 -- | The scene moved by the same amount to the right and upwards.
 displaced :: Rational -> RawScene -> Either (NonEmpty SceneError) Scene

@@ -9,6 +9,7 @@ import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck
 import Visibility.Draw.Drawing
+import Visibility.Draw.Gallery
 import Visibility.Draw.Light
 import Visibility.Draw.Matrix
 import Visibility.Draw.Radiosity
@@ -49,7 +50,7 @@ spec = do
             ]
     it "has no label that covers anything, and nothing leaves the canvas" $
       forAllCuts $ \_ cut ->
-        let drawing = matrixDrawing (matrixOf cut) in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (matrixDrawing (matrixOf cut))
   describe "the figure of light" $ do
     it "shows every element where it is, with the Double next to the middle of its bounds" $
       forAllLit $ \scene cut found ->
@@ -72,7 +73,7 @@ spec = do
          in conjoin
               [ Map.fromListWith (+) (map (count . markName) (marksIn "bands" drawing))
                   === Map.fromListWith (+) (map (count . Text.pack . sideText . elementSide) (refinedElements cut))
-              , (labelCollisions drawing, strayMarks drawing) === ([], [])
+              , isLegible drawing
               ]
   where
     reached names seen = case seen of

@@ -20,10 +20,7 @@ import Visibility.Test.Generator
 spec :: Spec
 spec = do
   describe "every scene in scenes/" $
-    withGallery $ \name scene -> do
-      let drawing = drawn scene
-      it (name <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
-      it (name <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+    withGallery $ \name scene -> legible name (drawn scene)
   describe "of any scene" $ do
     it "every factor that is not exactly zero has one cell, all else is blank" $
       property $ \(AnyScene s) ->
@@ -38,7 +35,7 @@ spec = do
          in counterexample (show byValue) (and (zipWith (>=) byValue (drop 1 byValue)))
     it "no label covers anything, and nothing leaves the canvas" $
       property $ \(AnyScene s) ->
-        let drawing = drawn (sampleScene s) in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (drawn (sampleScene s))
   describe "of any matrix" $ do
     it "cells are squares of one size, in the row and the column of their names" $
       forAllShow matrices shown $ \matrix ->

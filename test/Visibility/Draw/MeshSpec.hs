@@ -18,15 +18,12 @@ spec :: Spec
 spec = do
   describe "every scene in scenes/" $
     withGallery $ \name scene ->
-      for_ [WithoutLines, WithLines] $ \wanted -> do
-        let drawing = meshDrawing wanted (meshOf scene)
-            about = name <> ", " <> show wanted
-        it (about <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
-        it (about <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+      for_ [WithoutLines, WithLines] $ \wanted ->
+        legible (name <> ", " <> show wanted) (meshDrawing wanted (meshOf scene))
   describe "of any scene" $ do
     it "no label covers anything, and nothing leaves the canvas" $
       onMeshes $ \wanted mesh ->
-        let drawing = meshDrawing wanted mesh in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (meshDrawing wanted mesh)
     it "every polygon has one mark" $
       onMeshes $ \wanted mesh ->
         map markName (marksIn (Text.pack "polygons") (meshDrawing wanted mesh))

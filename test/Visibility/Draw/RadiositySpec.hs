@@ -24,10 +24,9 @@ spec :: Spec
 spec = do
   describe "every scene in scenes/" $
     withGallery $ \name scene ->
-      for_ [minBound .. maxBound] $ \scaling -> do
-        let drawing = radiosityDrawing scene (directFigure scaling (take 2 (statedSides scene)) (directLight scene))
-        it (name <> ": no label covers anything, " <> show scaling) $ labelCollisions drawing `shouldBe` []
-        it (name <> ": nothing leaves the canvas, " <> show scaling) $ strayMarks drawing `shouldBe` []
+      for_ [minBound .. maxBound] $ \scaling ->
+        legible (name <> ", " <> show scaling) $
+          radiosityDrawing scene (directFigure scaling (take 2 (statedSides scene)) (directLight scene))
   describe "of any scene" $ do
     it "an element has a band on each uncovered piece of its side, and a covered one has none" $
       forAllFigures $ \scene figure ->
@@ -58,7 +57,7 @@ spec = do
               ]
     it "no label covers anything, and nothing leaves the canvas" $
       forAllFigures $ \scene figure ->
-        let drawing = radiosityDrawing scene figure in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (radiosityDrawing scene figure)
     it "a panel belongs to each chosen side, with an area for each of its elements" $
       forAllFigures $ \scene figure ->
         map markName (marksIn "areas" (radiosityDrawing scene figure))

@@ -23,15 +23,12 @@ spec :: Spec
 spec = do
   describe "every scene in scenes/" $
     withGallery $ \name scene ->
-      for_ (zip [0 :: Int ..] (figures scene)) $ \(k, (kind, figure)) -> do
-        let drawing = viewDrawing scene figure
-            about = name <> ", " <> kind <> " " <> show k
-        it (about <> ": no label covers anything") $ labelCollisions drawing `shouldBe` []
-        it (about <> ": nothing leaves the canvas") $ strayMarks drawing `shouldBe` []
+      for_ (zip [0 :: Int ..] (figures scene)) $ \(k, (kind, figure)) ->
+        legible (name <> ", " <> kind <> " " <> show k) (viewDrawing scene figure)
   describe "of any scene" $ do
     it "no label covers anything, and nothing leaves the canvas" $
       forAllFigures $ \scene figure ->
-        let drawing = viewDrawing scene figure in (labelCollisions drawing, strayMarks drawing) === ([], [])
+        isLegible (viewDrawing scene figure)
     it "every polygon has one mark" $
       forAllFigures $ \scene figure ->
         map markName (marksIn "polygons" (viewDrawing scene figure))
