@@ -21,9 +21,10 @@ import Visibility.Draw.Profile
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
 import Visibility.Draw.Values
-import Visibility.Exact.Point
+import Visibility.Exact.Point (Point)
 import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor (sideLength)
+import Visibility.Mesh.Span (parameterOn)
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 
@@ -209,15 +210,12 @@ uncoveredParts scene element =
   [ (piece, (from, to))
   | piece <- fromMaybe [] (piecesOf scene (litSide element))
   , let (a, b) = (cornerPoint scene (sideStart piece), cornerPoint scene (sideEnd scene piece))
-  , let (s, s') = (positionOn a b p, positionOn a b q)
+  , let (s, s') = (parameterOn (a, b) p, parameterOn (a, b) q)
   , let (from, to) = (max 0 (min s s'), min 1 (max s s'))
   , from < to
   ]
   where
     (p, q) = litEnds element
-    positionOn (Point ax ay) (Point bx by) (Point x y)
-      | ax /= bx = (x - ax) / (bx - ax)
-      | otherwise = (y - ay) / (by - ay)
 
 -- | The label of a side, beyond its band.
 sideRequest :: Scene -> Map.Map SideId Strip -> SideName -> Request
