@@ -9,34 +9,35 @@ module Visibility.Draw.Light
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
-import Visibility.Draw.Matrix (Group (..), Matrix (..))
+import Visibility.Draw.Matrix (Group (..), Matrix (..), factorMatrix, withSky)
 import Visibility.Draw.Radiosity (LitElement (..), RadiosityFigure (..))
 import Visibility.Draw.Values (Scaling)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (nearestDouble)
-import Visibility.FormFactor (NearestRow (..))
+import Visibility.FormFactor (NearestRow)
 import Visibility.Mesh.Element (Element (..), Refined (..), elementEnds, elementNames)
 import Visibility.Radiosity (Lit (..), Radiosity (..))
 import Visibility.Scene
 
--- | The matrix of the form factors of elements, by the sides that they are on.
+-- | The matrix of the form factors of elements, by the sides that they are on, which are parts of polygons.
 --
 -- /Laws/ those of 'Visibility.Draw.Matrix.factorMatrix'.
 elementMatrix :: Refined -> [NearestRow] -> Matrix Seen
 elementMatrix cut rows =
-  Matrix
+  (factorMatrix scene rows)
     { matrixTitle = "Form factors of the elements of " <> fromMaybe "an untitled scene" (sceneTitle scene)
-    , matrixQuantity = "form factor"
     , matrixThings = "elements"
     , matrixGroups = "sides"
     , matrixRows = sidesOfFile
-    , matrixColumns = sidesOfFile <> [Group "sky" [TheSky] | surroundings scene == OpenSky]
+    , matrixColumns = withSky scene sidesOfFile
     , matrixName = nameOf
-    , matrixEntries = [(TheSide (rowFrom row), to, value) | row <- rows, (to, value) <- rowFactors row]
     }
   where
     scene = refinedScene cut
-    sidesOfFile = [Group (Text.pack (sideText side)) (map TheSide members) | (side, members) <- Map.toList bySide]
+    sidesOfFile =
+      [ Group (Text.pack (sideText side)) (Text.pack (polygonText polygon)) (map TheSide members)
+      | (side@(SideName polygon _), members) <- Map.toList bySide
+      ]
     bySide = Map.fromListWith (flip (<>)) [(elementSide e, [elementIn e]) | e <- refinedElements cut]
     names = elementNames cut
     nameOf seen = Text.pack $ case seen of

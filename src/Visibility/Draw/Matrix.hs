@@ -6,9 +6,13 @@ module Visibility.Draw.Matrix
   , Group (..)
   , matrixDrawing
   , factorMatrix
+  , withSky
   ) where
 
+import Data.Foldable (toList)
+import Data.Function (on)
 import Data.List (sortOn)
+import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
@@ -42,6 +46,8 @@ data Matrix thing = Matrix
 -- | Rows or columns that belong together, with their name.
 data Group thing = Group
   { groupLabel :: !Text
+  , groupWhole :: !Text
+  -- ^ The name of what the group is a part of. Neighbours of one whole belong together, too.
   , groupMembers :: ![thing]
   }
   deriving (Eq, Show)
@@ -57,13 +63,21 @@ factorMatrix scene factors =
     , matrixThings = "sides"
     , matrixGroups = "polygons"
     , matrixRows = polygons
-    , matrixColumns = polygons <> [Group "sky" [TheSky] | surroundings scene == OpenSky]
+    , matrixColumns = withSky scene polygons
     , matrixName = Text.pack . seenText
     , matrixEntries = [(TheSide (rowFrom row), to, value) | row <- factors, (to, value) <- rowFactors row]
     }
   where
-    polygons = [Group (Text.pack (polygonText p)) (map TheSide members) | (p, members) <- Map.toList byPolygon]
+    polygons =
+      [ Group name name (map TheSide members)
+      | (p, members) <- Map.toList byPolygon
+      , let name = Text.pack (polygonText p)
+      ]
     byPolygon = Map.fromListWith (flip (<>)) [(p, [side]) | side@(SideName p _) <- statedSides scene]
+
+-- | Columns with one for the sky where there is one.
+withSky :: Scene -> [Group Seen] -> [Group Seen]
+withSky scene groups = groups <> [Group "sky" "sky" [TheSky] | surroundings scene == OpenSky]
 
 -- | The matrix, 800 pixels wide: rows from above, columns from the left, in the order given; darker is more, on a
 -- logarithmic scale. An entry that is 0 has no cell.
@@ -72,13 +86,14 @@ factorMatrix scene factors =
 -- @labels@, of all rows and columns where they have room, else of the groups that have; @bar@ and @legend@.
 --
 -- /Degenerate cases/ an entry that is given as 0, because it is too small for a Double, is as light as a cell can be.
--- Groups are not told apart where they are less than four pixels wide on the average. A matrix without rows is an empty
--- square.
+-- A line stands only where it is apart from others: between two wholes that are both wide enough, and between two such
+-- groups of one whole; so small groups, as the sides of a round object, are not hatched, and what lies beside them is
+-- told apart all the same. A matrix without rows is an empty square.
 --
 -- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log m) for m entries, besides labels.
 --
 -- /Laws/ as many cells as entries, none of which share a point inside both; all cells are squares of one size; a larger
--- value is not lighter; no line crosses a cell; no label covers anything.
+-- value is not lighter; no line crosses a cell; lines are at least six pixels apart; no label covers anything.
 matrixDrawing :: Ord thing => Matrix thing -> Drawing
 matrixDrawing matrix =
   Drawing
@@ -91,7 +106,7 @@ matrixDrawing matrix =
     , drawingHeight = height
     , drawingLayers =
         filter (not . null . layerMarks) $
-          [ Layer "groups" Sparse (map groupLine (gapsOf columns) <> map groupLineAcross (gapsOf rows))
+          [ Layer "groups" Sparse (map groupLine (lineGaps columns) <> map groupLineAcross (lineGaps rows))
           , Layer "cells" (densityOf (length cells)) cells
           , Layer "frame" Sparse [plain Axis (boxRegion (Box left bottom right top))]
           , Layer "labels" Sparse (labels <> axisTitles)
@@ -107,12 +122,14 @@ matrixDrawing matrix =
     -- How large a cell is, and how wide the gaps between groups.
     room = canvasWidth - leftMargin - 2 * sideMargin - 14
     most = max (total (matrixRows matrix)) (total (matrixColumns matrix))
-    gapCount = fromIntegral (max 0 (max (length (matrixRows matrix)) (length (matrixColumns matrix)) - 1))
-    gap = if room >= 4 * gapCount then min 2 (0.1 * room / max 1 gapCount) else 0
+    roomiest = min 30 ((room - 2 * inset) / fromIntegral (max 1 most))
+    (rowsApart, columnsApart) = (setApart roomiest (matrixRows matrix), setApart roomiest (matrixColumns matrix))
+    gapCount = fromIntegral (max (length (filter id rowsApart)) (length (filter id columnsApart)))
+    gap = min 2 (0.1 * room / max 1 gapCount)
     cell = wholeIfLarge (min 30 ((room - gap * gapCount - 2 * inset) / fromIntegral (max 1 most)))
     wholeIfLarge c = if c >= 4 then fromIntegral (floor c :: Int) else c
-    columns = arranged cell gap (matrixColumns matrix)
-    rows = arranged cell gap (matrixRows matrix)
+    columns = arranged cell gap columnsApart (matrixColumns matrix)
+    rows = arranged cell gap rowsApart (matrixRows matrix)
     across line = lineLength line + 2 * inset
     left = leftMargin + (room - across columns) / 2
     right = left + across columns
@@ -130,7 +147,6 @@ matrixDrawing matrix =
     cellMark shade (row, column, x, y) =
       Mark (matrixName matrix row <> " " <> matrixName matrix column) (Cell shade) $
         boxRegion (Box (left + inset + x) (top - inset - y - cell) (left + inset + x + cell) (top - inset - y))
-    gapsOf line = [s - gap / 2 | gap > 0, s <- drop 1 (map spanStart (lineSpans line))]
     groupLine s = plain Reference (Polyline [Place (left + inset + s) bottom, Place (left + inset + s) top])
     groupLineAcross s = plain Reference (Polyline [Place left (top - inset - s), Place right (top - inset - s)])
 
@@ -182,6 +198,10 @@ leftMargin, inset :: Double
 leftMargin = 50
 inset = 1
 
+-- | How wide a group has to be to have lines on both sides. Lines in a tenth of the room then have their full width.
+leastApart :: Double
+leastApart = 8
+
 total :: [Group thing] -> Int
 total = sum . map (length . groupMembers)
 
@@ -194,6 +214,8 @@ percentage part whole = Text.pack (showFFloat (Just 1) share " %")
 data Line thing = Line
   { lineStarts :: !(Map.Map thing Double)
   , lineSpans :: ![Span]
+  , lineGaps :: ![Double]
+  -- ^ The middles of the gaps.
   , lineLength :: !Double
   }
 
@@ -203,17 +225,38 @@ data Span = Span {spanLabel :: !Text, spanStart :: !Double, spanEnd :: !Double}
 spanMiddle :: Span -> Double
 spanMiddle s = (spanStart s + spanEnd s) / 2
 
--- | Things one behind the other, each as wide as a cell, with gaps between groups.
-arranged :: Ord thing => Double -> Double -> [Group thing] -> Line thing
-arranged cell gap groups =
+-- | For each group, whether a line stands before it, if cells are at most so wide; none before the first.
+--
+-- Gaps and whole pixels make cells narrower than that, by not much more than a quarter.
+setApart :: Double -> [Group thing] -> [Bool]
+setApart cell groups = take (length groups) (False : zipWith between parts (drop 1 parts))
+  where
+    wholes = NonEmpty.groupBy ((==) `on` groupWhole) groups
+    parts = zip (concat (zipWith3 inWhole [0 :: Int ..] wideWholes wholes)) (wide (map size groups))
+    inWhole k isWide = map (const (k, isWide)) . toList
+    wideWholes = wide (map (sum . fmap size) wholes)
+    size = length . groupMembers
+    between ((whole, isWideWhole), isWide) ((whole', isWideWhole'), isWide')
+      | whole == whole' = isWide && isWide'
+      | otherwise = isWideWhole && isWideWhole'
+    -- The first and the last one have a line on one side only.
+    wide sizes = [k == 0 || k == final || cell * fromIntegral s >= leastApart | (k, s) <- zip [0 ..] sizes]
+      where
+        final = length sizes - 1
+
+-- | Things one behind the other, each as wide as a cell, with gaps before the groups that are set apart.
+arranged :: Ord thing => Double -> Double -> [Bool] -> [Group thing] -> Line thing
+arranged cell gap areApart groups =
   Line
     { lineStarts = Map.fromList (concat (zipWith starts offsets groups))
     , lineSpans = [Span (groupLabel g) from (from + width g) | (from, g) <- zip offsets groups]
-    , lineLength = max cell (sum (map width groups) + gap * fromIntegral (max 0 (length groups - 1)))
+    , lineGaps = [from - gap / 2 | (from, True) <- zip offsets areApart]
+    , lineLength = max cell (sum (map width groups) + sum gaps)
     }
   where
     width g = cell * fromIntegral (length (groupMembers g))
-    offsets = scanl (\s g -> s + width g + gap) 0 groups
+    gaps = [if isApart then gap else 0 | isApart <- areApart]
+    offsets = zipWith (+) (scanl (+) 0 (map width groups)) (drop 1 (scanl (+) 0 gaps))
     starts from g = [(thing, from + cell * k) | (k, thing) <- zip [0 ..] (groupMembers g)]
 
 -- | Those labels that have room beside others: the last two first, which are of what surrounds all else, then the

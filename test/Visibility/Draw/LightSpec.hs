@@ -34,13 +34,14 @@ spec = do
          in conjoin
               [ concatMap snd groups === map (Text.pack . elementText) (refinedElements cut)
               , map fst groups === nub (map (Text.pack . sideText . elementSide) (refinedElements cut))
+              , conjoin [Text.takeWhile (/= '.') (groupLabel g) === groupWhole g | g <- matrixRows matrix]
               , conjoin [Text.takeWhile (/= '#') name === side | (side, names) <- groups, name <- names]
               ]
     it "has a column for each row, and one for the sky where there is one" $
       forAllCuts $ \_ cut ->
         let matrix = matrixOf cut
          in matrixColumns matrix
-              === matrixRows matrix <> [Group "sky" [TheSky] | surroundings (refinedScene cut) == OpenSky]
+              === matrixRows matrix <> [Group "sky" "sky" [TheSky] | surroundings (refinedScene cut) == OpenSky]
     it "has one cell for every form factor that is not exactly zero, all else is blank" $
       forAllCuts $ \_ cut ->
         sort (map markName (marksIn "cells" (matrixDrawing (matrixOf cut))))

@@ -52,24 +52,37 @@ spec = do
               , counterexample (show (lefts, tops)) (all (all rising . neighbours) [lefts, tops])
               ]
     it "no line between groups runs through the inside of a cell" $
-      forAllShow matrices shown $ \matrix ->
+      forAllShow (oneof [matrices, crowded]) shown $ \matrix ->
         [ (name, segment)
         | Mark name (Cell _) (Region [Place l b, Place r _, Place _ t, _]) <- cellsOf matrix
         , segment <- concatMap strokes (marksIn "groups" (matrixDrawing matrix))
         , segmentMeetsBox (Box l b r t) segment
         ]
           === []
-    it "has a line between any two neighbouring groups, where they are not too many" $
+    it "has a line between any two neighbouring groups, where all cells are large" $
       forAllShow matrices shown $ \matrix ->
         length (marksIn "groups" (matrixDrawing matrix))
           === length (drop 1 (matrixRows matrix)) + length (drop 1 (matrixColumns matrix))
+    it "has lines that are at least six pixels from each other, however small its groups" $
+      forAllShow (oneof [matrices, crowded]) shown $ \matrix ->
+        let (across, down) = linesOf matrix
+            apart list = and (zipWith (\a b -> b - a >= 6) list (drop 1 list))
+         in counterexample (show (across, down)) (apart (sort across) && apart (sort down))
+    it "has lines between wholes, and between large parts of them, but none that hatch small parts" $ do
+      let object = [Group (Text.pack ("0." <> show k)) "0" [k] | k <- [0 .. 99 :: Int]]
+          wall = [Group (Text.pack ("E." <> show k)) "E" [100 + 50 * k .. 149 + 50 * k] | k <- [0 .. 3]]
+          matrix = matrixOf (object <> wall) (object <> wall) []
+          -- The lines are as far from each other as the groups between them, but for their own room.
+          (across, down) = linesOf matrix
+          steps list = zipWith (\a b -> round ((b - a) / 10) :: Int) list (drop 1 list)
+      map (steps . sort) [across, down] `shouldBe` replicate 2 [12, 12, 12]
     it "an entry that is too small for a Double is as light as can be, but not blank" $ do
-      let groups = [Group "a" [0, 1 :: Int]]
+      let groups = [Group "a" "a" [0, 1 :: Int]]
           matrix = matrixOf groups groups [(0, 0, 0), (0, 1, 1e-5), (1, 0, 1)]
           found = Map.fromList [(name, position shade) | Mark name (Cell shade) _ <- cellsOf matrix]
       found `shouldBe` Map.fromList [("0 0", 1), ("0 1", 1), ("1 0", 0)]
     it "labels a matrix of a thousand groups where there is room" $ do
-      let groups = [Group (Text.pack (show k)) [k] | k <- [0 .. 999 :: Int]]
+      let groups = [Group (Text.pack (show k)) (Text.pack (show k)) [k] | k <- [0 .. 999 :: Int]]
           drawing = matrixDrawing (matrixOf groups groups [(k, k, 1) | k <- [0 .. 999]])
       labelCollisions drawing `shouldBe` []
       strayMarks drawing `shouldBe` []
@@ -87,22 +100,42 @@ spec = do
     exactly scene = formFactors scene (swept scene)
     factorName factor = Text.pack (sideText (factorFrom factor) <> " " <> seenText (factorTo factor))
     cellsOf matrix = marksIn "cells" (matrixDrawing matrix)
+    -- The lines between columns by how far they are to the right, and those between rows by how far they are down.
+    linesOf matrix =
+      let ways = [way | Mark _ _ (Polyline way) <- marksIn "groups" (matrixDrawing matrix)]
+       in ([x | [Place x _, Place x' _] <- ways, x == x'], [negate y | [Place _ y, Place _ y'] <- ways, y == y'])
     shown matrix = show (matrixRows matrix, matrixColumns matrix, matrixEntries matrix)
     rounded x = fromIntegral (round (x * 1e6) :: Int) / 1e6 :: Double
     neighbours list = zip list (drop 1 list)
     rising ((i, x), (j, y)) = i < j && x < y
 
--- | Numbers in groups.
+-- | Numbers in groups, of which some neighbours are parts of one whole.
 matrices :: Gen (Matrix Int)
 matrices = do
-  rows <- grouped
-  columns <- grouped
+  rows <- grouped (resize 8 (listOf1 (choose (1, 7))))
+  columns <- grouped (resize 8 (listOf1 (choose (1, 7))))
   entries <- sublistOf [(r, c) | r <- concatMap groupMembers rows, c <- concatMap groupMembers columns]
   matrixOf rows columns <$> traverse (\(r, c) -> (,,) r c . (10 **) <$> choose (-9, 0)) entries
+
+-- | Hundreds of numbers in large and in small groups, with few entries.
+crowded :: Gen (Matrix Int)
+crowded = do
+  rows <- grouped sizes
+  columns <- grouped sizes
+  let members = concatMap groupMembers
+  matrixOf rows columns . map (\(r, c) -> (r, c, 1))
+    <$> (nub <$> vectorOf 20 ((,) <$> elements (members rows) <*> elements (members columns)))
   where
-    grouped = do
-      sizes <- resize 8 (listOf1 (choose (1, 7)))
-      pure [Group (Text.pack ("g" <> show s)) [s .. s + n - 1] | (s, n) <- zip (scanl (+) 0 sizes) sizes]
+    sizes = choose (2, 80) >>= \n -> vectorOf n (frequency [(3, choose (1, 4)), (1, choose (5, 60))])
+
+grouped :: Gen [Int] -> Gen [Group Int]
+grouped someSizes = do
+  sizes <- someSizes
+  wholes <- scanl1 (+) <$> vectorOf (length sizes) (choose (0, 1 :: Int))
+  pure
+    [ Group (Text.pack ("g" <> show s)) (Text.pack ("w" <> show w)) [s .. s + n - 1]
+    | (s, n, w) <- zip3 (scanl (+) 0 sizes) sizes wholes
+    ]
 
 matrixOf :: [Group Int] -> [Group Int] -> [(Int, Int, Double)] -> Matrix Int
 matrixOf rows columns =
