@@ -2,7 +2,7 @@
 module Visibility.Draw.Band
   ( Strip
   , stripLong
-  , stripOf
+  , stripsOf
   , stripOutline
   , stripPart
   , stripRays
@@ -10,7 +10,10 @@ module Visibility.Draw.Band
   , outwardPlace
   ) where
 
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector as V
 import Visibility.Draw.Drawing
+import Visibility.Draw.Near
 import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 
@@ -38,7 +41,7 @@ data Cut
 slopesInwards :: Strip -> [Double]
 slopesInwards strip = [slope | Inwards slope <- [startCut strip, endCut strip]]
 
--- | The strip of a side, of at most a width.
+-- | The strips of all sides, of at most a width.
 --
 -- Where free space is less than 180° wide at an end, it is cut along the bisector, so that the bands of both sides
 -- meet. So it is where free space is at most 270° wide, and a little more, if nothing else is near the corner: round
@@ -48,9 +51,40 @@ slopesInwards strip = [slope | Inwards slope <- [startCut strip, endCut strip]]
 -- /Degenerate cases/ what touches the side's ends is not in front of it: the bisector lies between. Sides that are no
 -- longer than the least difference of places have strips without area.
 --
--- /Cost/ O(n). /Laws/ a strip does not cross into the solid.
-stripOf :: Scene -> (CornerId -> Place) -> Double -> SideId -> Strip
-stripOf scene place most side =
+-- /Requires/ a width of more than 0. /Cost/ O(n log n), times the number of sides that are nearer to one than twice the
+-- width. /Laws/ a strip does not cross into the solid; only what is so near makes a difference.
+stripsOf :: Scene -> (CornerId -> Place) -> Double -> Map.Map SideId Strip
+stripsOf scene placeOf most = Map.fromList [(side, stripOf around side) | side <- sides scene]
+  where
+    places = V.fromList (map placeOf (corners scene))
+    place (CornerId c) = places V.! c
+    grid = gridOf (2 * most) [(place (sideStart side), place (sideEnd scene side)) | side <- sides scene]
+    near side = map SideId (nearTo grid (place (sideStart side), place (sideEnd scene side)))
+    nearby = V.fromList (map near (sides scene))
+    rooms = V.fromList (map (roomBeside around) (sides scene))
+    around =
+      Around
+        { theScene = scene
+        , placeIn = place
+        , mostWide = most
+        , nearSides = \(SideId s) -> nearby V.! s
+        , roomOf = \(SideId s) -> rooms V.! s
+        }
+
+-- | What the strip of a side depends on.
+data Around = Around
+  { theScene :: !Scene
+  , placeIn :: !(CornerId -> Place)
+  , mostWide :: !Double
+  , nearSides :: !(SideId -> [SideId])
+  -- ^ At least those that are nearer than twice the greatest width.
+  , roomOf :: SideId -> Double
+  -- ^ See 'roomBeside'.
+  }
+
+-- | The strip of a side.
+stripOf :: Around -> SideId -> Strip
+stripOf around side =
   Strip
     { stripStart = from
     , stripAlong = along
@@ -60,21 +94,22 @@ stripOf scene place most side =
     , endCut = cutAt end end
     }
   where
+    (scene, place, most) = (theScene around, placeIn around, mostWide around)
     (start, end) = (sideStart side, sideEnd scene side)
     (from@(Place x0 y0), Place x1 y1) = (place start, place end)
     long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
     along
       | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
       | otherwise = (0, 0)
-    wide = roomBeside scene place most side
+    wide = roomOf around side
     -- By the corner that the neighbour starts at. Where its band is of another width, going on would leave a spike.
     cutAt corner (CornerId neighbour)
       | isWallEnd scene corner = Square
       | angle < pi = Inwards (tan (angle / 2))
       | angle > pi
       , angle < 1.6 * pi
-      , roomBeside scene place most (SideId neighbour) == wide
-      , all (farFrom corner) (sides scene) =
+      , roomOf around (SideId neighbour) == wide
+      , all (farFrom corner) (nearSides around side) =
         Beyond (tan ((angle - pi) / 2))
       | otherwise = Square
       where
@@ -86,10 +121,11 @@ stripOf scene place most side =
           where
             (p@(CornerId p'), q@(CornerId q')) = (sideStart other, sideEnd scene other)
 
--- | The width of a side's strip: at most the width given, and half of the way to what is in front of it.
-roomBeside :: Scene -> (CornerId -> Place) -> Double -> SideId -> Double
-roomBeside scene place most side = minimum (most : map (/ 2) (concatMap inFront (sides scene)))
+-- | The width of a side's strip: at most the greatest, and half of the way to what is in front of it.
+roomBeside :: Around -> SideId -> Double
+roomBeside around side = minimum (mostWide around : map (/ 2) (concatMap inFront (nearSides around side)))
   where
+    (scene, place) = (theScene around, placeIn around)
     (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
     (Place x0 y0, Place x1 y1) = (place start, place end)
     long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))

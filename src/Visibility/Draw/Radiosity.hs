@@ -65,7 +65,7 @@ data LitElement = LitElement
 -- not. On a logarithmic scale, what is dark has the colour of the least value. A profile of a side without elements is
 -- empty; there is none of a name that the scene has not.
 --
--- /Requires/ elements of the scene's sides. /Cost/ O(n²) for n sides, besides labels.
+-- /Requires/ elements of the scene's sides. /Cost/ that of 'stripsOf', and O(m log n) for m elements, besides labels.
 --
 -- /Laws/ bands do not cross into the solid; a larger value is not darker; every polygon has exactly one mark; no label
 -- covers anything; nothing leaves the canvas.
@@ -107,7 +107,7 @@ radiosityDrawing scene figure =
     place = placeOf scene frame
     polygons = polygonMarks scene frame
 
-    strips = Map.fromList [(side, stripOf scene place bandWidth side) | side <- sides scene]
+    strips = stripsOf scene place bandWidth
     lit = [(element, piece, part) | element <- found, (piece, part) <- uncoveredParts scene element]
     -- In order along the sides, each a little below the next, since viewers smooth edges and would leave seams.
     inOrder = sortOn (\(_, piece, (from, _)) -> (piece, from)) lit

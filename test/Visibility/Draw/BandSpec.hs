@@ -1,5 +1,6 @@
 module Visibility.Draw.BandSpec (spec) where
 
+import qualified Data.Map.Strict as Map
 import Test.Hspec
 import Test.QuickCheck hiding (within)
 import Visibility.Draw.Band
@@ -28,7 +29,7 @@ spec = do
         forAll (choose (0, 1)) $ \t ->
           let scene = sampleScene s
               defect strip = area (stripPart strip 0 t) + area (stripPart strip t 1) - area (stripOutline strip)
-           in [side | side <- sides scene, abs (defect (stripOf scene (placed scene) 8 side)) > 1e-6] === []
+           in [side | (side, strip) <- Map.toList (stripsOf scene (placed scene) 8), abs (defect strip) > 1e-6] === []
   describe "a strip" $ do
     it "goes on to the bisectors around a square" $
       outlines 8 [solid [(0, 0), (1, 0), (1, 1), (0, 1)]] `shouldBe` replicate 4 (8 * (700 + 8))
@@ -45,7 +46,7 @@ spec = do
   where
     solid = rawPolygon . map (uncurry Point)
     outlines most polygons = either (const []) (areas most) (validate (RawScene Nothing Nothing polygons))
-    areas most scene = [rounded (area (stripOutline (stripOf scene (placed scene) most side))) | side <- sides scene]
+    areas most scene = [rounded (area (stripOutline strip)) | strip <- Map.elems (stripsOf scene (placed scene) most)]
     rounded v = fromIntegral (round (v * 1e6) :: Integer) / 1e6 :: Double
 
 placed :: Scene -> CornerId -> Place
@@ -56,8 +57,7 @@ placed scene = placeOf scene (frameFor 0 scene [])
 intruders :: Scene -> [(String, String)]
 intruders scene =
   [ (sideText (sideName scene side), what)
-  | side <- sides scene
-  , let strip = stripOf scene (placed scene) 8 side
+  | (side, strip) <- Map.toList (stripsOf scene (placed scene) 8)
   , let region = stripOutline strip
   , (what, True) <-
       [ (text, wrong)
