@@ -13,23 +13,24 @@ import Data.ByteString.Lazy (ByteString)
 import Data.List (groupBy)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Data.Text.Lazy.Encoding (encodeUtf8)
 import Diagrams.Backend.SVG
 import Diagrams.Prelude hiding (Style, height, place, solid, stroke, text, thin, width, with)
-import Graphics.Svg (Element, desc_, g_, makeAttribute, renderBS, style_, svg11_, title_, toElement, with)
+import Graphics.Svg (Element, desc_, g_, makeAttribute, renderText, style_, svg11_, title_, toElement, with)
 import Numeric (showFFloat)
 import Visibility.Draw.Colour (hexText)
+import Visibility.Draw.Compact (compactPaths)
 import Visibility.Draw.Drawing
 
 -- | The SVG of a drawing: as many user units as the drawing has pixels, a white ground, each layer a @g@ whose class
 -- is the layer's name, title and description as elements.
 --
--- /Shape/ coordinates are rounded to 4 decimals of a pixel. Neighbouring marks of a layer that look the same share a
--- path. The library writes whole documents and no named groups, so a layer is a document within its group.
+-- /Shape/ places are rounded to hundredths of a pixel. Neighbouring marks of a layer that look the same share a path. The library writes whole documents and no named groups, so a layer is a document within its group.
 --
 -- /Laws/ a function of the drawing, byte for byte; well-formed XML.
 renderSvg :: Drawing -> ByteString
 renderSvg drawing =
-  renderBS . flip with attributes . svg11_ $
+  encodeUtf8 . compactPaths . renderText . flip with attributes . svg11_ $
     title_ [] (toElement (printable (drawingTitle drawing)))
       <> desc_ [] (toElement (printable (drawingDescription drawing)))
       <> style_ [] (toElement styleSheet)
@@ -85,17 +86,26 @@ piece :: Density -> [Mark] -> Diagram SVG
 piece _ [] = mempty
 piece density marks@(Mark _ style shape : _) = case shape of
   Label anchor place text -> words' style anchor place text
-  Dot _ -> strokePath (foldMap dotPath [place | Mark _ _ (Dot place) <- marks]) # painted density style
+  Dot _
+    -- A full dot is the end of a line of no length: a tenth of the text of a circle.
+    | Look (Just colour) Nothing _ <- look density style ->
+      strokePath (foldMap (\place -> polyline [place, place]) dots)
+        # lc (sRGB24read colour)
+        # lwO (2 * dotRadius density style)
+        # lineCap (if isSquare then LineCapSquare else LineCapRound)
+    | otherwise -> strokePath (foldMap dotPath dots) # painted density style
   Polyline _ -> strokePath (foldMap polyline [places | Mark _ _ (Polyline places) <- marks]) # painted density style
   Region _ -> strokePath (foldMap region [places | Mark _ _ (Region places) <- marks]) # painted density style
   where
     polyline, region :: [Place] -> Path V2 Double
     polyline = pathFromLocTrail . fromVertices . map point
     region = pathFromLocTrail . mapLoc closeTrail . fromVertices . map point
-    -- Where there are thousands of dots, squares are as good and a quarter of the size.
+    dots = [place | Mark _ _ (Dot place) <- marks]
+    -- Where there are thousands of dots, squares are as good; hollow ones are a quarter of the size.
+    isSquare = density >= Crowded
     dotPath :: Place -> Path V2 Double
     dotPath place
-      | density >= Crowded = square (2 * r) # moveTo (point place)
+      | isSquare = square (2 * r) # moveTo (point place)
       | otherwise = circle r # moveTo (point place)
       where
         r = dotRadius density style
