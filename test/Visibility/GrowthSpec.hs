@@ -1,0 +1,99 @@
+-- | What work costs, told without a clock: the bytes that are allocated for each part of a result, on a scene and on one
+-- with four times as many polygons. They are the same in every run, however busy the machine is. What is done over and
+-- over allocates: a table made for each sum instead of once, a list gone through for each element.
+--
+-- Bounded is by what factor they grow, not how many they are, so that the same holds at every level of optimisation.
+-- The bound leaves room for the logarithm where one is due: corners grow from about 2⁵ to 2⁷.
+module Visibility.GrowthSpec (spec) where
+
+import Control.Exception (evaluate)
+import Data.Foldable (for_)
+import Data.Int (Int64)
+import Data.IORef (newIORef, readIORef)
+import qualified Data.Map.Strict as Map
+import System.Mem (getAllocationCounter)
+import Test.Hspec
+import Visibility.Complex (complexOf, faceIds)
+import Visibility.Exact.Rounding (decimal, defaultDigits)
+import Visibility.FormFactor
+import Visibility.Mesh
+import Visibility.Radiosity
+import Visibility.Scene
+import Visibility.Scene.Family (Family (Grid, Random), Seed (..), family, size)
+import Visibility.Scene.Raw
+import Visibility.Scene.Validate (validate)
+import Visibility.Sweep
+
+spec :: Spec
+spec =
+  for_ [Random, Grid] $ \kind ->
+    describe ("bytes allocated, on scenes of the family " <> show kind) $ do
+      let grow name prepare work = it ("grow in proportion to " <> name) (growth kind prepare work >>= shouldBeSlow)
+      grow "the corners that are checked" Just (fmap cornerCount . checked)
+      grow "the pairs of the topological sweep" checked (\s -> Just (pairsOf s (vertices s)))
+      grow "the pairs of the straight sweep" checked (\s -> Just (pairsOf s (straightVertices s)))
+      grow "the faces of the complex" checked (Just . length . faceIds . complexOf)
+      grow "the pairs that are added up to measures" checked $ \s ->
+        let swept = vertices s in measures s swept `seq` Just (pairsOf s swept)
+      grow "the form factors that are rounded to 17 digits, from exact sums" summed $ \(Summed s sums) ->
+        Just (sum (map (signum . length . decimal defaultDigits . factorValue) (formFactors s sums)))
+      grow "the form factors that are nearest Doubles" summed $ \(Summed s sums) ->
+        Just (sum (map (length . rowFactors) (nearestFactors s sums)))
+      grow "the form factors of the equations of radiosity" summed $ \(Summed s sums) ->
+        either (const Nothing) (Just . nonzeroFactors) (radiosity (WithinTolerance defaultTolerance) s sums)
+      grow "the break points of the discontinuity mesh" checked $ \s ->
+        Just (breakCount (discontinuityMesh s (vertices s)))
+      grow "its elements" checked $ \s ->
+        Just (length (refinedElements (refined (discontinuityMesh s (vertices s)))))
+  where
+    pairsOf s = sum . map (length . vertexPairs s)
+
+-- | A scene with its measures.
+data Summed = Summed !Scene !Measures
+
+checked :: RawScene -> Maybe Scene
+checked = either (const Nothing) Just . validate
+
+summed :: RawScene -> Maybe Summed
+summed raw = do
+  scene <- checked raw
+  Just (Summed scene (measures scene (vertices scene)))
+
+-- | The bytes allocated for each part, few polygons first.
+data Growth = Growth Double Double
+  deriving (Show)
+
+-- | Less than a quarter more.
+shouldBeSlow :: Maybe Growth -> Expectation
+shouldBeSlow found = found `shouldSatisfy` maybe False (\(Growth few many) -> few > 0 && many < 1.25 * few)
+
+-- | Of a piece of work, which tells of how many parts its result is. What it begins with is made before.
+growth :: Family -> (RawScene -> Maybe a) -> (a -> Maybe Int) -> IO (Maybe Growth)
+growth kind prepare work = do
+  few <- bytes 12
+  many <- bytes 48
+  pure (Growth <$> few <*> many)
+  where
+    bytes n = case size n >>= prepare . alight . \k -> family kind k (Seed 1) of
+      Nothing -> pure Nothing
+      Just begun -> do
+        (allocated, parts) <- allocation begun work
+        pure (fmap (\k -> fromIntegral allocated / fromIntegral k) parts)
+
+-- | How many bytes a thread allocates for a result, and the result. What it begins with comes out of a cell, so that
+-- nothing is known of it beforehand.
+allocation :: a -> (a -> Maybe b) -> IO (Int64, Maybe b)
+allocation argument work = do
+  cell <- evaluate argument >>= newIORef
+  begun <- getAllocationCounter
+  result <- readIORef cell >>= evaluate . work
+  mapM_ evaluate result
+  finished <- getAllocationCounter
+  -- It counts downwards.
+  pure (begun - finished, result)
+
+-- | The first polygon shines, and all reflect half of the light.
+alight :: RawScene -> RawScene
+alight raw = raw {rawPolygons = zipWith shining (1 : repeat 0) (rawPolygons raw)}
+  where
+    shining emitted polygon = described (rawPolygonName polygon) polygon (Material emitted (1 / 2)) Map.empty
