@@ -6,6 +6,7 @@ module Command.Report
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, isPrefixOf)
+import qualified Data.Text as Text
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumProcessors)
 import Options.Report
@@ -23,6 +24,7 @@ import System.IO.Error (tryIOError)
 import System.Info (arch, compilerName, compilerVersion, os)
 import Data.Version (showVersion)
 import Visibility.Draw.Render (renderSvg)
+import Visibility.Draw.Scale (counted)
 import Visibility.Report.Plot (plotDrawing)
 
 -- | Measures everything and writes report.md, the CSV files and the plots.
@@ -61,7 +63,7 @@ runReport options = orComplain folder $ do
           <> sig seconds
           <> " s. All figures here were measured in that run, but for two that say they are from elsewhere, on "
           <> machine
-          <> ", on one processor. The scenes are in [scenes](scenes), so that each can be measured again."
+          <> "; the report uses one processor. The scenes are in [scenes](scenes), so that each can be measured again."
       , ""
       ]
 
@@ -73,4 +75,4 @@ described = do
   let models = [line | line <- either (const []) lines cpu, "model name" `isPrefixOf` line]
       model = take 1 (map (drop 2 . dropWhile (/= ':')) models)
       compiler = compilerName <> " " <> showVersion compilerVersion
-  pure (intercalate ", " (model <> [show count <> " processors", os <> " on " <> arch, compiler]))
+  pure (intercalate ", " (model <> [Text.unpack (counted count "processor" "processors"), os <> " on " <> arch, compiler]))

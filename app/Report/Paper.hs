@@ -11,6 +11,7 @@ module Report.Paper
   , sig
   , micro
   , timeCell
+  , leastOf
   ) where
 
 import Data.List (intercalate)
@@ -44,11 +45,16 @@ data Plan = Plan
   { ladderSizes :: ![Int]
   -- ^ Of random quadrilaterals.
   , otherSize :: !Int
+  , largeSize :: !Int
+  -- ^ Of random quadrilaterals with coordinates beyond machine integers.
   , bruteForceLimit :: !Int
   -- ^ Brute force up to so many corners.
   , slowLimit :: !Int
   -- ^ Rationals up to so many corners.
+  , closureLimit :: !Int
+  -- ^ Closure is decided up to so many corners; each decision takes much longer than a sweep.
   , runs :: !Int
+  -- ^ Times are the least of so many runs, at least one.
   , factorSizes :: ![Int]
   , lineCounts, pointCounts, directionCounts :: ![Int]
   , hardSteps :: ![Int]
@@ -65,18 +71,20 @@ data Plan = Plan
 planOf :: Thoroughness -> Plan
 planOf Quick =
   Plan
-    { ladderSizes = [8, 32, 128]
-    , otherSize = 64
+    { ladderSizes = [4, 16, 64]
+    , otherSize = 32
+    , largeSize = 32
     , bruteForceLimit = 64
     , slowLimit = 550
-    , runs = 2
+    , closureLimit = 150
+    , runs = 1
     , factorSizes = [30]
     , lineCounts = [1000, 10000, 100000]
     , pointCounts = [1, 4, 16]
     , directionCounts = [10, 100, 1000]
     , hardSteps = [0, 6 .. 66]
-    , partCounts = [2, 4, 8]
-    , referenceParts = 32
+    , partCounts = [2, 4]
+    , referenceParts = 8
     , timeLimit = 5
     , memoryLimit = 500
     }
@@ -84,8 +92,10 @@ planOf Full =
   Plan
     { ladderSizes = [8, 32, 128, 512, 2048]
     , otherSize = 256
+    , largeSize = 128
     , bruteForceLimit = 160
     , slowLimit = 2100
+    , closureLimit = 2100
     , runs = 3
     , factorSizes = [30, 100]
     , lineCounts = [1000, 10000, 100000, 1000000, 10000000]
@@ -106,6 +116,10 @@ sig x
   | otherwise = showEFloat (Just 2) x ""
   where
     places = max 0 (2 - floor (logBase 10 (abs x))) :: Int
+
+-- | What a time is, by how often it was taken.
+leastOf :: Plan -> String
+leastOf plan = if runs plan <= 1 then "taken once" else "the least of " <> show (runs plan) <> " runs"
 
 -- | A time, or nothing where none was measured.
 timeCell :: Maybe Double -> String

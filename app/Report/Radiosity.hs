@@ -74,7 +74,9 @@ radiositySection progress plan folder = do
                  \not much larger than that say little."
           , "Time is processor time in this process from a scene that has been read and checked to proved bounds of \
             \all radiosities, within 1e-9 of the largest: the sweep for break points, where the mesh needs it, the \
-            \sweep of the elements, form factors as nearest Doubles, and the solution; the least of several runs."
+            \sweep of the elements, form factors as nearest Doubles, and the solution; "
+              <> leastOf plan
+              <> "."
           , "By what factor the mean error of a uniform mesh of as many elements as the discontinuity mesh, all of it, \
             \is larger than that of the latter, and by what factor that of a uniform mesh in as much time: "
               <> intercalate

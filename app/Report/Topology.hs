@@ -42,7 +42,9 @@ topologySection degenerateFolder progress plan folder = do
     mapM (saved . uncurry (familyCase folder)) $
       [(kind, otherSize plan) | kind <- [Grid, Needles, Checkerboard, Terraces, ThinWalls, Comb]]
         <> [(Kettner, k) | k <- [8, 40]]
-  large <- saved (rawCase folder "random-128-times-3^40" (enlarged (3 ^ (40 :: Int)) (familyCase folder Random 128)))
+  large <-
+    let small = familyCase folder Random (largeSize plan)
+     in saved (rawCase folder (caseName small <> "-times-3^40") (enlarged (3 ^ (40 :: Int)) small))
   rows <- concat <$> forM (ladder <> [large] <> others) (\found -> do
     progress ("topology: " <> caseName found)
     rowsOf plan found)
@@ -55,8 +57,9 @@ topologySection degenerateFolder progress plan folder = do
     Section
       { sectionTitle = "Topology: arithmetic and scheduler"
       , sectionText =
-          [ "Time is the least processor time of several sweeps in this process, of a scene that has been read and \
-            \checked, per elementary visible pair. *filtered* is machine integers where they provably fit, else a \
+          [ "Time is processor time of a sweep in this process, "
+              <> leastOf plan
+              <> ", of a scene that has been read and checked, per elementary visible pair. *filtered* is machine integers where they provably fit, else a \
             \floating-point filter with integers behind it; *exact* is integers of any size; *rational* is \
             \determinants of rationals, but of those of the lattice, whose denominators are one, not of the file's; \
             \*double* has no bound and may be wrong. The topological sweep takes vertices in any legal order, the \
@@ -65,7 +68,9 @@ topologySection degenerateFolder progress plan folder = do
             \--arithmetic double`. Only where it came to an end was it timed here. *Missing* and *spurious* count \
             \vertices against those of the straight sweep in integers. *Open sides* are those whose form factors do \
             \not add up to what is not covered of them, decided exactly, on the topology found; they are left out \
-            \above 2100 corners and for brute force."
+            \above "
+              <> show (closureLimit plan)
+              <> " corners and for brute force."
           , degenerateText degenerate
           ]
       , sectionTables =
@@ -78,8 +83,10 @@ topologySection degenerateFolder progress plan folder = do
               )
               (map cellsOf rows)
           , Table
-              "Whole commands, from the start of the process to its end, reading and printing included, by the clock, \
-              \the least of several runs: the visible pairs in the order of their names, and as they are swept."
+              ( "Whole commands, from the start of the process to its end, reading and printing included, by the clock, "
+                  <> leastOf plan
+                  <> ": the visible pairs in the order of their names, and as they are swept."
+              )
               (["scene", "corners", "pairs"] <> map unwords graphCommands)
               [sizesOf found <> map (timeCell . snd) times | (found, times) <- commands]
           ]
@@ -117,7 +124,7 @@ rowsOf plan found = do
         let under = underArithmetic arithmetic scene
         (t, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
         let (missing, extra) = compared (verticesBy scheduler under)
-            open = if small 2100 then Just (openSides under scheduler) else Nothing
+            open = if small (closureLimit plan) then Just (openSides under scheduler) else Nothing
         pure (row name (schedulerWord scheduler) (Just t) "finished" missing extra open Nothing)
   (_, signs) <- countingSigns scene (\watched -> pure $! length (vertices watched))
   filtered <- mapM (safe "filtered" Filtered) [Topological, Straight]
@@ -158,10 +165,11 @@ unsafeRow plan found pairs truth scheduler = do
         Just _ -> do
           (seconds, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
           let (missing, extra) = differences truth (verticesBy scheduler under)
-          open <- ended (openSides under scheduler)
+          open <- if closes then ended (openSides under scheduler) else pure Nothing
           pure (row (Just seconds) "finished" (Just missing) (Just extra) open Nothing)
   where
     under = underArithmetic UnsafeDouble (caseScene found)
+    closes = cornerCount under <= closureLimit plan
     word = schedulerWord scheduler
     row = Row found pairs "double" word
     without failure = row Nothing (failureWord failure) Nothing Nothing Nothing Nothing
