@@ -91,7 +91,7 @@ cancellationSection progress plan folder = do
            \decade of distance until nothing is right; the exact and the proved results stay at the rounding of a \
            \Double. "
         <> compensated kind
-        <> " An error of 0 is not drawn."
+        <> " An error of 1 means that the method found nothing; an error of 0 is not drawn."
     compensated kind
       | kind == "free" = "So do the compensated ones: here all corners are Doubles."
       | otherwise =
@@ -114,7 +114,7 @@ plot kind rows =
   Plot
     { plotTitle = "Two unit walls move apart, " <> kind
     , plotDescription = "Relative error of one form factor against the distance, by method, both axes logarithmic."
-    , plotAcross = Decades "distance"
+    , plotAcross = Decades "distance, in lengths of a wall"
     , plotUpwards = Decades "relative error"
     , plotSeries =
         [ Series (Text.pack name) style marker Joined [(10 ^^ k, e) | Row _ k m _ e <- rows, m == name]

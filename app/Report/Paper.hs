@@ -18,7 +18,7 @@ import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showEFloat, showFFloat)
-import Visibility.Report.Plot (Plot)
+import Visibility.Report.Plot (Plot (plotTitle))
 
 -- | A part of the report, in this order: text, tables, figures.
 data Section = Section
@@ -142,7 +142,7 @@ markdown (Section title texts tables figures files) =
     table (Table caption header rows) =
       ["*" <> caption <> "*", "", row header, row (map (const "---") header)] <> map row rows <> [""]
     row cells = "| " <> intercalate " | " cells <> " |"
-    figure (Figure file _ caption) = ["![](" <> file <> ")", "", "*" <> Text.unpack caption <> "*", ""]
+    figure (Figure file plot caption) = ["![" <> Text.unpack (plotTitle plot) <> "](" <> file <> ")", "", "*" <> Text.unpack caption <> "*", ""]
 
 -- | Rows of cells, none of which holds a comma or a quote.
 csv :: [[String]] -> String

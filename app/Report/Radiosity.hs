@@ -148,7 +148,7 @@ radiositySection progress plan folder = do
            \of B_ref, against "
         <> which
         <> ", both logarithmic. The points of one line are one kind of mesh, finer and finer; below and to the left is \
-           \better. B_ref is the radiosity on a mesh of "
+           \better. B is the radiosity on the mesh, B_ref that on a mesh of "
         <> Text.pack (show (referenceElements r))
         <> " elements that contains all these meshes; the same with half as many equal parts on each side is "
         <> Text.pack (sig (meanDistance (referenceHalf r)))
@@ -187,7 +187,7 @@ plot c across cost rows =
     { plotTitle = "Radiosity: mean error by " <> across <> ", " <> Text.pack (caseName c)
     , plotDescription = "Mean error of radiosity against " <> across <> ", by mesh, both axes logarithmic."
     , plotAcross = Decades across
-    , plotUpwards = Decades "mean error"
+    , plotUpwards = Decades "mean error, as a part of the mean radiosity"
     , plotSeries =
         [ series "no mesh: whole sides" Series7 Star ["no mesh"]
         , series "uniform" Series2 Square ["uniform"]

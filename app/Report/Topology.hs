@@ -111,8 +111,8 @@ topologySection degenerateFolder progress plan folder = do
     caption =
       "Random quadrilaterals: processor time per elementary visible pair against the number of corners, for each \
       \arithmetic under the topological sweep, and for the straight sweep in filtered arithmetic and brute force in \
-      \integers. The rational baseline computes on lattice integers, with denominator 1. A level line is time in \
-      \proportion to the output."
+      \integers. Lower is better; a level line is time in proportion to the output. The rational baseline computes on \
+      \lattice integers, with denominator 1."
 
 rowsOf :: Plan -> Case -> IO [Row]
 rowsOf plan found = do

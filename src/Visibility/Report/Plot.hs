@@ -10,7 +10,7 @@ module Visibility.Report.Plot
   , plotDrawing
   ) where
 
-import Data.Maybe (mapMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -29,7 +29,8 @@ data Plot = Plot
 
 -- | What an axis tells, with its unit, and where a value has its place; points without one are left out.
 data Scale
-  = -- | By logarithms, in decades, at least one; around 1 without values. What is not positive has no place.
+  = -- | By logarithms: in whole decades, or from 1, 2 or 5 times a power of ten to another where these are few; around
+    -- 1 without values. What is not positive has no place.
     Decades !Text
   | -- | In proportion, from 0 on, a tick at each multiple of a power of ten. What is negative has no place.
     Steps !Text
@@ -138,11 +139,14 @@ rulerFor :: Scale -> [Double] -> Ruler
 rulerFor scale values = case scale of
   Decades _ ->
     Ruler
-      { place = \v ->
-          if positive v then Just ((logBase 10 v - fromIntegral low) / fromIntegral (high - low)) else Nothing
-      , steps = map decadePart [low + 1 .. high]
+      { place = \v -> if positive v then Just (between (logBase 10 v)) else Nothing
+      , steps = map (between . exponent10) (drop 1 marks)
       , -- Not more labels than there is room for.
-        ticks = [(decadePart k, decade k) | k <- thinned 12 low high]
+        ticks =
+          [ (between (exponent10 r), roundText r)
+          | (k, r) <- zip [0 ..] marks
+          , k `elem` thinned 12 0 (length marks - 1)
+          ]
       }
   Steps _ ->
     Ruler
@@ -164,8 +168,10 @@ rulerFor scale values = case scale of
   where
     finite v = not (isInfinite v || isNaN v)
     positive v = v > 0 && finite v
-    (low, high) = decades (filter positive values)
-    decadePart k = fromIntegral (k - low) / fromIntegral (high - low)
+    marks = roundNumbers (filter positive values)
+    (low, high) = (minimum heights, maximum heights)
+    heights = map exponent10 marks
+    between l = (l - low) / (high - low)
     largest = maximum (1 : filter finite values)
     power = max 0 (ceiling (logBase 10 (largest / 12))) :: Int
     step = 10 ^ power :: Double
@@ -176,19 +182,39 @@ rulerFor scale values = case scale of
       | otherwise = Text.pack (show k <> "e" <> show power)
     multiples = [fromIntegral k / fromIntegral count' | k <- [0 .. count']]
 
--- | The decades that hold all values, at least one.
-decades :: [Double] -> (Int, Int)
-decades values
-  | null logs = (-1, 1)
-  | otherwise = let low = floor (minimum logs - 0.1) in (low, max (low + 1) (ceiling (maximum logs + 0.05)))
+-- | A round number: 1, 2 or 5 times a power of ten.
+data Round = Round !Int !Int
+
+-- | The logarithm.
+exponent10 :: Round -> Double
+exponent10 (Round m k) = logBase 10 (fromIntegral m) + fromIntegral k
+
+-- | Ascending round numbers, at least two, with all values between the first and the last and none at an end: powers of
+-- ten, or also 2 and 5 times these where that makes at most ten.
+roundNumbers :: [Double] -> [Round]
+roundNumbers values
+  | null logs = [Round 1 (-1), Round 1 0, Round 1 1]
+  | length fine <= 10 = fine
+  | otherwise = around [1]
   where
     logs = map (logBase 10) values
+    (least, most) = (minimum logs - 0.1, maximum logs + 0.05)
+    fine = around [1, 2, 5]
+    around factors =
+      let all' = [Round m k | k <- [floor least - 1 .. ceiling most + 1], m <- factors]
+          below = [r | r <- all', exponent10 r <= least]
+          inside = [r | r <- all', exponent10 r > least, exponent10 r < most]
+          above = [r | r <- all', exponent10 r >= most]
+       in drop (length below - 1) below <> inside <> take 1 above
 
-decade :: Int -> Text
-decade k
-  | k `elem` [0, 1, 2, 3] = Text.pack (show ((10 :: Int) ^ k))
-  | k < 0 = "1e−" <> Text.pack (show (negate k))
-  | otherwise = "1e" <> Text.pack (show k)
+-- | In figures as far as these are short, else as a power of ten.
+roundText :: Round -> Text
+roundText (Round m k)
+  | k >= 0 && k <= 3 = Text.pack (show (m * 10 ^ k))
+  | k < 0 && k >= -3 = Text.pack ("0." <> replicate (negate k - 1) '0' <> show m)
+  | otherwise = Text.pack ((if m == 1 then "" else show m <> "·") <> "10" <> map raised (show k))
+  where
+    raised c = fromMaybe c (lookup c (zip "-0123456789" "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 marker :: Series -> Place -> [Mark]
 marker s (Place x y) = map (Mark (seriesName s) (seriesStyle s)) shapes
