@@ -218,7 +218,7 @@ agreesWithRays s =
               (+)
               [ (seenAs scene object, spanOf piece / nearestDouble (sideLength scene side) * f)
               | piece <- concat (piecesOf scene side)
-              , (object, f) <- Map.toList (sampledFactors scene piece)
+              , (object, f) <- Map.toList (sampledOn piece)
               ]
     , object <- Map.keys (Map.union exact byRays)
     , let value = Map.findWithDefault 0 object exact
@@ -226,20 +226,31 @@ agreesWithRays s =
     ]
   where
     scene = sampleScene s
+    sampledOn = sampledFactors scene
     spanOf piece =
       let Point ax ay = cornerPoint scene (sideStart piece)
           Point bx by = cornerPoint scene (sideEnd scene piece)
        in sqrt (fromRational ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))) :: Double
     factors = formFactors scene (measures scene (vertices scene))
 
+-- | By rays from the middles of a hundred parts of a side, between the directions to all corners.
 sampledFactors :: Scene -> SideId -> Map.Map Object Double
-sampledFactors scene side =
+sampledFactors scene = \side -> sampledFrom side (ends side)
+  where
+    at c = let Point x y = cornerPoint scene c in (fromRational x, fromRational y) :: (Double, Double)
+    ends s = (at (sideStart s), at (sideEnd scene s))
+    -- Converted once, not for each ray.
+    places = map at (corners scene)
+    boundary = [(s, ends s) | s <- sides scene]
+    sampledFrom side = sampledAlong scene places [other | other@(s, _) <- boundary, s /= side]
+
+-- | The same by the places of all corners, the ends of all other sides, and those of the side.
+sampledAlong
+  :: Scene -> [Place] -> [(SideId, (Place, Place))] -> (Place, Place) -> Map.Map Object Double
+sampledAlong scene places others ((ax, ay), (bx, by)) =
   Map.fromListWith (+) (concatMap fromPoint [(fromIntegral i + 0.5) / fromIntegral count | i <- [0 .. count - 1]])
   where
     count = 100 :: Int
-    at c = let Point x y = cornerPoint scene c in (fromRational x, fromRational y) :: (Double, Double)
-    (ax, ay) = at (sideStart side)
-    (bx, by) = at (sideEnd scene side)
     len = sqrt ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
     -- Along the side, and to the right of it, where the space is free.
     (tx, ty) = ((bx - ax) / len, (by - ay) / len)
@@ -253,21 +264,22 @@ sampledFactors scene side =
       where
         (px, py) = (ax + t * (bx - ax), ay + t * (by - ay))
         bounds = sort (negate (pi / 2) : pi / 2 : [atan2 along out | (along, out) <- seen, out > 1e-9 * len])
-        seen = map (local . at) (corners scene)
+        seen = map local places
+        here = [(s, local a, local b) | (s, (a, b)) <- others]
         local (x, y) = ((x - px) * tx + (y - py) * ty, (x - px) * nx + (y - py) * ny)
-        firstHit angle = case sort [(r, s) | s <- sides scene, s /= side, Just r <- [distanceTo angle s]] of
-          (_, s) : _ -> Just (Side s)
+        firstHit angle = case [(r, s) | (s, a, b) <- here, Just r <- [distanceTo (sin angle, cos angle) a b]] of
           [] -> case surroundings scene of OpenSky -> Just Sky; Room -> Nothing
+          hits -> Just (Side (snd (minimum hits)))
         -- Sides are met from their right. The ray leaves the side itself, and the other face of a wall is behind it.
-        distanceTo angle s
+        distanceTo (rx, ry) (cx, cy) (dx, dy)
           | inward > 0, r > 1e-9 * len, u >= 0, u <= 1 = Just r
           | otherwise = Nothing
           where
-            (cx, cy) = local (at (sideStart s))
-            (dx, dy) = local (at (sideEnd scene s))
             (ex, ey) = (dx - cx, dy - cy)
-            (rx, ry) = (sin angle, cos angle)
             -- Local axes (along, out) are a mirror image of (x, y).
             inward = negate (ex * ry - ey * rx)
             r = (cx * ey - cy * ex) / (rx * ey - ry * ex)
             u = (cx * ry - cy * rx) / (rx * ey - ry * ex)
+
+-- | Coordinates.
+type Place = (Double, Double)

@@ -78,7 +78,9 @@ spec =
     it "can be cut again" $
       forAllCut $ \_ flat _ ->
         let twice = fst (withFlatCorners (cutsAt [1 % 3] flat) flat)
-         in sort (vertices twice) === bruteForce twice
+            -- Brute force takes the cube of the number of corners.
+            expected = if cornerCount twice <= 80 then bruteForce twice else straightVertices twice
+         in sort (vertices twice) === sort expected
   where
     measuresOf scene = measures scene (vertices scene)
     textOf = sort . RootSum.terms . RootSum.merged
