@@ -77,7 +77,15 @@ hardSection progress plan folder = do
     Section
       { sectionTitle = "Hard cases: where each arithmetic first errs"
       , sectionText =
-          [ "Doubles: " <> intercalate ", " [show n <> " " <> word | (word, n) <- outcomes rows, n > 0] <> "."
+          [ "Doubles, on "
+              <> show (length (doublesOf rows))
+              <> " scenes: "
+              <> intercalate "; " [show n <> " " <> word | (word, n) <- outcomes (doublesOf rows)]
+              <> ". In the wrong graphs "
+              <> show (sum [missing | Wrong missing _ <- doublesOf rows])
+              <> " pairs are missing and "
+              <> show (sum [extra | Wrong _ extra <- doublesOf rows])
+              <> " are spurious."
           , "Each scene gets harder with k. Doubles run in a process of their own, with limits of time and memory, \
             \and their graph is compared with the exact one; filtered, exact and rational arithmetic are compared \
             \with brute force in integers, pair by pair. The rational baseline computes on lattice integers, with \
@@ -106,10 +114,18 @@ hardSection progress plan folder = do
       }
   where
     exactWays = [name | (name, Here _) <- ways]
-    outcomes rows =
-      [ (kindWord kind, length [() | r <- rows, rowWay r == "double", kindOf (rowVerdict r) == kind])
-      | kind <- [minBound .. maxBound]
+    doublesOf rows = [rowVerdict r | r <- rows, rowWay r == "double"]
+    -- All of them, those too that do not occur.
+    outcomes found =
+      [ (kindWord RightKind, amount (== Correct))
+      , (kindWord WrongKind, amount ((== WrongKind) . kindOf))
+      , (failureWord Refused, amount (== NoAnswer Refused))
+      , ("crashed", amount (\verdict -> case verdict of NoAnswer (Crashed _) -> True; _ -> False))
+      , (failureWord OutOfTime, amount (== NoAnswer OutOfTime))
+      , (failureWord OutOfMemory, amount (== NoAnswer OutOfMemory))
       ]
+      where
+        amount p = length (filter p found)
     dash c = if c == ' ' then '-' else c
     wrong rows = [r | r <- rows, rowVerdict r /= Correct]
     firstWrong rows = case wrong rows of
@@ -124,7 +140,7 @@ hardSection progress plan folder = do
 
 -- | Verdicts as they are told apart in the plot.
 data Kind = RightKind | WrongKind | RefusedKind | NoneKind
-  deriving (Eq, Enum, Bounded)
+  deriving (Eq)
 
 kindOf :: Verdict -> Kind
 kindOf verdict = case verdict of
