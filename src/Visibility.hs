@@ -47,8 +47,9 @@ module Visibility
   , measures
   , FormFactor (..)
   , formFactors
-  , NearestRow (..)
+  , FactorRow (..)
   , nearestFactors
+  , decimalFactors
     -- * The discontinuity mesh (all of it: "Visibility.Mesh")
   , Mesh
   , BreakPoint (..)
@@ -84,7 +85,15 @@ import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
-import Visibility.FormFactor (FormFactor (..), Measures, NearestRow (..), formFactors, measures, nearestFactors)
+import Visibility.FormFactor
+  ( FactorRow (..)
+  , FormFactor (..)
+  , Measures
+  , decimalFactors
+  , formFactors
+  , measures
+  , nearestFactors
+  )
 import Visibility.Format.File (readSceneFile)
 import Visibility.Mesh (BreakPoint (..), Mesh, discontinuityMesh, meshSides)
 import Visibility.Radiosity (Closeness (..), Radiosity (..), radiosity)

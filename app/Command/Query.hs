@@ -15,9 +15,9 @@ import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
-import Visibility.FormFactor (NearestRow (..), formFactors, nearestFactors)
+import Visibility.FormFactor (FactorRow (..), decimalFactors, formFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument)
-import Visibility.Format.Factors (Naming (..), factorsDocument, nearestDocument)
+import Visibility.Format.Factors (Detail (..), Naming (..), decimalDocument, exactDocument, nearestDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
 import Visibility.Mesh (Refined (..), elementNames)
@@ -53,12 +53,16 @@ runFactors common options = withScene common $ \file -> divided common (factorEl
         ElementsOf _ -> ElementNames (elementNames cut)
   sums <- measuring common scene
   case factorValues options of
-    Decimals wanted detail ->
+    Decimals wanted WithExactMeasures ->
       withProgress "form factors written" (const 1) (formFactors scene sums) $
-        printed . factorsDocument (factorFormat options) detail wanted names scene
+        printed . exactDocument (factorFormat options) wanted names scene
+    Decimals wanted DecimalsOnly ->
+      watched (decimalFactors wanted scene sums) $ printed . decimalDocument (factorFormat options) wanted names scene
     NearestDoubles ->
-      withProgress "form factors written" (length . rowFactors) (nearestFactors scene sums) $
-        printed . nearestDocument (factorFormat options) names scene
+      watched (nearestFactors scene sums) $ printed . nearestDocument (factorFormat options) names scene
+  where
+    watched :: [FactorRow a] -> ([FactorRow a] -> IO ()) -> IO ()
+    watched = withProgress "form factors written" (length . rowFactors)
 
 -- | The whole complex.
 runComplex :: Common -> IO ()

@@ -42,7 +42,7 @@ methods plan =
   [ Method "exact string rule" Nothing $ \s ->
       fromFactors s [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors s (measuresIn s)]
   , Method "nearest Doubles, proved" Nothing $ \s ->
-      fromFactors s [(from, to, x) | NearestRow from found _ <- nearestFactors s (measuresIn s), (to, x) <- found]
+      fromFactors s [(from, to, x) | FactorRow from found _ <- nearestFactors s (measuresIn s), (to, x) <- found]
   , Method "string rule in Double, exact topology" Nothing (\s -> plainStrings s (verticesInPieces s))
   , Method "compensated Double, exact topology" Nothing (\s -> compensatedStrings s (verticesInPieces s))
   , Method "all Double" Nothing $ \s ->

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Sizes of the visibility complex, counted along the stream of events in O(n) memory; and signs, counted while they
 -- are decided.
 module Visibility.Count
@@ -54,25 +56,26 @@ count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
       Counts
         { vertexCount = vertexCount counts + 1
         , degenerateCount = degenerateCount counts + (if isDegenerate scene vertex then 1 else 0)
-        , pairCount = pairCount counts + length (concatMap (statedPairs scene) (vertexPairs scene vertex))
-        , bitangentCount = bitangentCount counts + length (concatMap (statedPairs scene) (freeBitangents scene vertex))
+        , pairCount = pairCount counts + stated (vertexPairs scene vertex)
+        , bitangentCount = bitangentCount counts + stated (freeBitangents scene vertex)
         , edgeCount = edgeCount counts + length (filter (not . isBuried) after)
         , buriedCount = buriedCount counts + length (filter isBuried after)
         , faceCount = faceCount counts + facesBegun scene (zip (vertexCorners vertex) after)
         }
 
+    stated pairs
+      | hasSharedPlaces scene = length (concatMap (statedPairs scene) pairs)
+      | otherwise = length pairs
+
 -- | The faces that begin at a vertex, from the views just after it. There the corners lie from above downwards in their
 -- order along the line, so going down it is a face that one corner opens and a later one closes.
 facesBegun :: Scene -> [(CornerId, View)] -> Int
-facesBegun scene line =
-  sum (map closedAfterOpened (Map.elems (Map.fromListWith (flip (<>)) incidencesByLabel)))
+facesBegun scene line = fst (foldl' meet (0, Map.empty) (concatMap (uncurry (incidences scene)) line))
   where
-    incidencesByLabel =
-      [ ((back, front), [flank])
-      | (c, view) <- line
-      , Incidence flank back front <- incidences scene c view
-      ]
-    closedAfterOpened flanks = length (filter (== (Below, Above)) (zip flanks (drop 1 flanks)))
+    -- By label, the flank seen last.
+    meet (!begun, latest) (Incidence flank back front) =
+      let (before, latest') = Map.insertLookupWithKey (\_ new _ -> new) (back, front) flank latest
+       in (if before == Just Below && flank == Above then begun + 1 else begun, latest')
 
 -- | Works on a scene, and tells how many signs of its corners were decided meanwhile: those that were evaluated before
 -- the work came to its end. The work gets the same scene, but with a filter that counts. 'Nothing' where no filter

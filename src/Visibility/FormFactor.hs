@@ -1,4 +1,4 @@
--- | Measures of faces and form factors: as exact sums of square roots, and correctly rounded to Doubles.
+-- | Measures of faces and form factors: as exact sums of square roots, and correctly rounded.
 module Visibility.FormFactor
   ( -- * Measures of lines
     Measures
@@ -11,12 +11,13 @@ module Visibility.FormFactor
   , formFactors
   , formFactor
   , sideLength
-    -- * As Doubles
-  , NearestRow (..)
+    -- * Rounded
+  , FactorRow (..)
   , nearestFactors
+  , decimalFactors
     -- * Laws
   , closureDefect
   ) where
 
 import Visibility.FormFactor.Exact
-import Visibility.FormFactor.Nearest
+import Visibility.FormFactor.Rounded

@@ -28,7 +28,8 @@ module Visibility.View
   , stretches
   ) where
 
-import Control.Monad.ST (ST, runST)
+import Control.Monad.ST (ST)
+import qualified Control.Monad.ST.Lazy as Lazy
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', mapAccumL)
 import qualified Data.Vector.Unboxed as U
@@ -162,21 +163,16 @@ data Event = Event
 -- | The events of a stream of vertices, one each, in its order.
 --
 -- /Requires/ the vertices of the scene in an order in which each corner's vertices come by increasing direction.
--- /Cost/ O(1) per elementary pair; the stream is taken in pieces of n vertices, each in place, and memory is that of a
--- piece: O(n) where vertices have a bounded number of corners.
+-- /Cost/ O(1) per elementary pair, O(n) memory: tables are changed in place, as the stream is consumed.
 events :: Scene -> [Vertex] -> [Event]
-events scene = go (startSights scene)
-  where
-    n = cornerCount scene
-    go _ [] = []
-    go sights vertices =
-      let (piece, rest) = splitAt (max 64 n) vertices
-          (done, sights') = runST $ do
-            mutable <- traverse U.thaw sights
-            done' <- mapM (pass scene mutable) piece
-            frozen <- traverse U.unsafeFreeze mutable
-            pure (done', frozen)
-       in done <> go sights' rest
+events scene stream = Lazy.runST $ do
+  sights <- Lazy.strictToLazyST (traverse U.thaw (startSights scene))
+  let go [] = pure []
+      go vertices = do
+        let (piece, rest) = splitAt 64 vertices
+        done <- Lazy.strictToLazyST (mapM (pass scene sights) piece)
+        (done <>) <$> go rest
+  go stream
 
 -- | Turns the line of one vertex through it.
 pass :: Scene -> Changing s -> Vertex -> ST s Event

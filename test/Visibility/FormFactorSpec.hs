@@ -2,9 +2,10 @@ module Visibility.FormFactorSpec (spec) where
 
 import Control.Monad (forM_)
 import Data.Bifunctor (bimap)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import qualified Data.Set as Set
 import Numeric (readFloat)
 import System.Directory (doesFileExist, listDirectory)
@@ -14,7 +15,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Positive, sample)
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum
-import Visibility.Exact.Rounding (nearestDouble)
+import Visibility.Exact.Rounding (Digits, decimal, defaultDigits, digits, nearestDouble)
 import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
 import Visibility.Scene
@@ -104,11 +105,11 @@ spec = do
         let larger p = p {rawCorners = map (times k) (rawCorners p)}
             RawScene name room polygons = sampleRaw s
          in onScene (RawScene name (larger <$> room) (map larger polygons)) areNearest
-    it "need roots for few of them" $
+    it "need roots for few of them, and so do decimals of 17 digits" $
       property $ \(ConvexScene s) ->
         let scene = sampleScene s
-            rows = nearestFactors scene (measuresIn scene)
-         in sum (map rowByRoots rows) * 4 <= sum (map (length . rowFactors) rows) + 8
+            few rows = sum (map rowByRoots rows) * 4 <= sum (map (length . rowFactors) rows) + 8
+         in few (nearestFactors scene (measuresIn scene)) && few (decimalFactors defaultDigits scene (measuresIn scene))
     it "go to the even one exactly between two" $ do
       -- In a triangle with sides a = 2mn, b = m² − n² and a hypotenuse, (a + b − c) / (2a) is 1/2 − n/(2m).
       let m = 2 ^ (54 :: Int)
@@ -116,13 +117,23 @@ spec = do
             scene <- sampleScene <$> sample (RawScene Nothing (Just (rawPolygon (triangle m n))) [])
             pure
               [ x
-              | NearestRow (SideName Enclosure 0) found _ <- nearestFactors scene (measuresIn scene)
+              | FactorRow (SideName Enclosure 0) found _ <- nearestFactors scene (measuresIn scene)
               , (TheSide (SideName Enclosure 2), x) <- found
               ]
           exactly n = fromRational (1 / 2 - n / (2 * m)) :: Double
       between 1 `shouldBe` Just [exactly 1]
       between 3 `shouldBe` Just [exactly 3]
       map exactly [1, 3] `shouldBe` [0.5, 0.5 - 2 / 2 ^ (54 :: Int)]
+  describe "decimals" $ do
+    it "are those of the exact form factors, the same ones in the same order" $
+      property $ \(AnyScene s) -> forAll someDigits $ \n -> areDecimals n (sampleScene s)
+    it "are so where polygons touch" $
+      property $ \(TouchingScene s) -> forAll someDigits $ \n -> areDecimals n (sampleScene s)
+    it "are so on the lattice of large numbers" $
+      property $ \(LatticeScene s) -> forAll someDigits $ \n ->
+        let larger p = p {rawCorners = [Point (3 ^ (90 :: Int) * x) (y / 3 ^ (90 :: Int)) | Point x y <- rawCorners p]}
+            RawScene name room polygons = sampleRaw s
+         in onScene (RawScene name (larger <$> room) (map larger polygons)) (areDecimals n)
   describe "nothing but names" $
     modifyMaxSuccess (* 2) $ do
       it "changes when the scene is moved, scaled, turned or mirrored" $
@@ -175,6 +186,14 @@ spec = do
     times k (Point x y) = Point (k * x) (k * y)
     triangle m n = [Point 0 0, Point (2 * m * n) 0, Point 0 (m * m - n * n)]
     areNearest scene = doublesOf scene === roundedOf scene
+    areDecimals n scene =
+      [(from, to, Bytes.unpack text) | FactorRow from found _ <- decimalFactors n scene sums, (to, text) <- found]
+        === [(factorFrom f, factorTo f, decimal n (factorValue f)) | f <- formFactors scene sums]
+      where
+        sums = measuresIn scene
+    -- Two Doubles are enough for the shorter ones.
+    someDigits :: Gen Digits
+    someDigits = fromMaybe defaultDigits . digits <$> choose (1, 40)
     byLength scene f = case terms (sideLength scene (factorFrom f)) of
       [(c, n)] -> timesRoot c n (factorValue f)
       _ -> Nothing

@@ -245,7 +245,7 @@ tableOf part scene =
 
 -- | The form factors as Doubles, in their order: as 'nearestFactors' has them, and the exact ones rounded.
 doublesOf, roundedOf :: Scene -> [(SideName, Seen, Double)]
-doublesOf scene = [(from, to, x) | NearestRow from found _ <- nearestFactors scene swept, (to, x) <- found]
+doublesOf scene = [(from, to, x) | FactorRow from found _ <- nearestFactors scene swept, (to, x) <- found]
   where
     swept = measures scene (vertices scene)
 roundedOf scene = [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors scene swept]

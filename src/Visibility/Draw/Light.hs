@@ -14,7 +14,7 @@ import Visibility.Draw.Radiosity (LitElement (..), RadiosityFigure (..))
 import Visibility.Draw.Values (Scaling)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (nearestDouble)
-import Visibility.FormFactor (NearestRow)
+import Visibility.FormFactor (FactorRow)
 import Visibility.Mesh.Element (Element (..), Refined (..), elementEnds, elementNames)
 import Visibility.Radiosity (Lit (..), Radiosity (..))
 import Visibility.Scene
@@ -22,7 +22,7 @@ import Visibility.Scene
 -- | The matrix of the form factors of elements, by the sides that they are on, which are parts of polygons.
 --
 -- /Laws/ those of 'Visibility.Draw.Matrix.factorMatrix'.
-elementMatrix :: Refined -> [NearestRow] -> Matrix Seen
+elementMatrix :: Refined -> [FactorRow Double] -> Matrix Seen
 elementMatrix cut rows =
   (factorMatrix scene rows)
     { matrixTitle = "Form factors of the elements of " <> fromMaybe "an untitled scene" (sceneTitle scene)

@@ -24,7 +24,7 @@ import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery (canvasWidth, sideMargin, titleMark)
 import Visibility.Draw.Values
-import Visibility.FormFactor (NearestRow (..))
+import Visibility.FormFactor (FactorRow (..))
 import Visibility.Scene
 
 -- | A matrix whose rows and columns are things in groups: sides by polygons, or elements by sides.
@@ -55,7 +55,7 @@ data Group thing = Group
 -- | The matrix of form factors: from the sides of the file, by polygons, to the same and the sky.
 --
 -- /Shape/ no column for the sky where there is none. /Degenerate cases/ sides that are all covered have empty rows.
-factorMatrix :: Scene -> [NearestRow] -> Matrix Seen
+factorMatrix :: Scene -> [FactorRow Double] -> Matrix Seen
 factorMatrix scene factors =
   Matrix
     { matrixTitle = "Form factors of " <> fromMaybe "an untitled scene" (sceneTitle scene)

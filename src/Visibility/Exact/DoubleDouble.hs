@@ -13,12 +13,14 @@ module Visibility.Exact.DoubleDouble
   , scaledLength
   , doubleLength
     -- * Sums
-  , Sum2
+  , Sum2 (..)
   , noLengths
   , plusLength
     -- * Quotients
   , nearestHalfQuotient
   , halfQuotientDouble
+  , Scaled (..)
+  , scaledHalfQuotient
     -- * What is proved
   , sumEnclosure
   , quotientEnclosure
@@ -154,6 +156,32 @@ nearestHalfQuotient total@(Sum2 _ _ _ count) by
     below = h + (g - slack)
     above = h + (g + slack)
 {-# INLINE nearestHalfQuotient #-}
+
+-- | Numbers between two integers times a power of two: the lower one, the upper one, the exponent.
+data Scaled = Scaled !Integer !Integer !Int
+  deriving (Eq, Show)
+
+-- | A sum of lengths divided by twice a length, enclosed, if the sum is surely positive.
+--
+-- With h = m·2^j, everything is counted in units of 2^(j−64), that is, 2^-116 h or less. What is below a unit is cut off
+-- from g and the slack; two units outwards make up for that.
+--
+-- /Laws/ the exact quotient lies between. The ends are positive, and about 2^-100 of them apart, as long as the lengths
+-- do not cancel.
+scaledHalfQuotient :: Sum2 -> Double2 -> Maybe Scaled
+scaledHalfQuotient total@(Sum2 _ _ _ count) by
+  | surely && count < 0x1p20 && h >= 0x1p-900 && h <= 0x1p900 && low > 0 = Just (Scaled low high k)
+  | otherwise = Nothing
+  where
+    Quotient2 surely h g slack = halfQuotient total by
+    (m, j) = decodeFloat h
+    k = j - 64
+    units x = let (m', j') = decodeFloat x in m' `shift` (j' - k)
+    middle = m `shift` 64 + units g
+    wide = units slack + 2
+    low = middle - wide
+    high = middle + wide
+{-# INLINE scaledHalfQuotient #-}
 
 -- | A sum of lengths divided by twice a length, in one Double, without asking whether it is the nearest one.
 halfQuotientDouble :: Sum2 -> Double2 -> Double

@@ -12,6 +12,7 @@ module Visibility.Exact.Rounding
   , digitCount
   , defaultDigits
   , decimal
+  , decimalBetween
   , decimalQuotient
   , outwardDecimals
 
@@ -23,8 +24,11 @@ module Visibility.Exact.Rounding
   ) where
 
 import Control.Monad (guard)
+import Data.Bits (bit, shiftR, (.&.))
 import Data.Ratio (denominator, numerator)
+import qualified Data.Vector as V
 import GHC.Num (integerLog2)
+import Visibility.Exact.DoubleDouble (Scaled (..))
 import Visibility.Exact.RootSum
   ( RootSum
   , Sign (Zero)
@@ -71,6 +75,46 @@ defaultDigits = Digits 17
 -- /Source:/ Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit (1991).
 decimal :: Digits -> RootSum -> String
 decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
+
+-- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one and the lower one is
+-- no tie.
+--
+-- /Cost:/ a multiplication and a shift of numbers with as many bits as the enclosure and the digits have.
+--
+-- /Laws:/ it is the 'decimal' of each rational in the enclosure.
+--
+-- /Degenerate cases:/ 'Nothing' for numbers of 10ᴺ or more.
+decimalBetween :: Digits -> Scaled -> Maybe String
+decimalBetween n@(Digits count) (Scaled low high k)
+  | k > 0 || low <= 0 = Nothing
+  | otherwise = place ((toInteger (integerLog2' low + k) * 30103) `div` 100000)
+  where
+    integerLog2' = fromIntegral . integerLog2
+    (least, limit) = (powerOfTen (count - 1), powerOfTen count)
+    -- The estimate may be off; the digits before the point tell.
+    place exponent'
+      | shift' < 0 = Nothing
+      | halves < 2 * least = place (exponent' - 1)
+      | halves >= 2 * limit = place (exponent' + 1)
+      | nearest /= nearestTo (halvesOf high) || odd halves && times low .&. (bit (negate k) - 1) == 0 = Nothing
+      | nearest == limit = Just (written n (Decimal least (fromInteger exponent' + 1)))
+      | otherwise = Just (written n (Decimal nearest (fromInteger exponent')))
+      where
+        shift' = count - 1 - fromInteger exponent'
+        times x = 2 * powerOfTen shift' * x
+        -- Twice the number in units of its last digit, rounded down; a tie where it is odd and nothing was cut off.
+        halvesOf x = times x `shiftR` negate k
+        halves = halvesOf low
+        nearest = nearestTo halves
+        nearestTo twice = (twice + 1) `shiftR` 1
+
+powerOfTen :: Int -> Integer
+powerOfTen k
+  | k < V.length powers = powers V.! k
+  | otherwise = 10 ^ k
+  where
+    powers = V.iterateN 64 (* 10) 1
+{-# NOINLINE powerOfTen #-}
 
 -- | The quotient of two sums of roots, written like 'decimal'; 'Nothing' if the divisor is zero.
 --

@@ -5,7 +5,8 @@ module Visibility.Format.Factors
   ( FactorFormat (..)
   , Detail (..)
   , Naming (..)
-  , factorsDocument
+  , exactDocument
+  , decimalDocument
   , nearestDocument
   , exactTerms
   ) where
@@ -37,41 +38,50 @@ data Naming
   | -- | As the elements that they are.
     ElementNames !(SideName -> String)
 
--- | The document. Decimals are correctly rounded to so many significant digits; factors that are exactly zero are not
--- there.
+-- | The document of form factors with their exact measures. Decimals are correctly rounded to so many significant digits;
+-- factors that are exactly zero are not there.
 --
--- /Shape/ CSV: header @from,to,value@, with exact measures also @measure@, Σ coefficient·√radicand = 2·L·F as
+-- /Shape/ CSV: header @from,to,value,measure@, the measure as Σ coefficient·√radicand = 2·L·F, such as
 -- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.
 --
 -- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
 -- not, exactly, and so has the text: the factors of the side add up to that.
-factorsDocument :: FactorFormat -> Detail -> Digits -> Naming -> Scene -> [FormFactor] -> Builder
-factorsDocument format detail wanted naming scene factors =
-  document format naming (decimalBytes wanted . sideLength scene) scene columns (map entry factors)
+exactDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FormFactor] -> Builder
+exactDocument format wanted naming scene factors =
+  document format naming (decimalBytes wanted . sideLength scene) scene "from,to,value,measure\n" (map entry factors)
   where
-    columns = case detail of
-      DecimalsOnly -> "from,to,value\n"
-      WithExactMeasures -> "from,to,value,measure\n"
     entry factor =
-      Entry (factorFrom factor) (factorTo factor) (decimalBytes wanted (factorValue factor)) $ case detail of
-        DecimalsOnly -> Nothing
-        WithExactMeasures -> Just (factorMeasure factor)
+      Entry
+        (factorFrom factor)
+        (factorTo factor)
+        (decimalBytes wanted (factorValue factor))
+        (Just (factorMeasure factor))
+
+-- | The document of form factors as decimals of so many significant digits, of the same shape without measures.
+decimalDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FactorRow Bytes.ByteString] -> Builder
+decimalDocument format wanted naming scene rows =
+  document format naming (decimalBytes wanted . sideLength scene) scene plainHeader (entriesOf id rows)
+
+plainHeader :: String
+plainHeader = "from,to,value\n"
+
+entriesOf :: (a -> Bytes.ByteString) -> [FactorRow a] -> [Entry]
+entriesOf text rows = [Entry (rowFrom row) to (text x) Nothing | row <- rows, (to, x) <- rowFactors row]
 
 -- | The document of form factors rounded to Doubles, of the same shape. Values and lengths are the nearest Doubles,
 -- each the shortest decimal that is read back as it.
 --
 -- /Degenerate cases/ a length that no positive Double is near to, being too large or too small, is the decimal of
--- 'defaultDigits' that 'factorsDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
-nearestDocument :: FactorFormat -> Naming -> Scene -> [NearestRow] -> Builder
+-- 'defaultDigits' that 'decimalDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
+nearestDocument :: FactorFormat -> Naming -> Scene -> [FactorRow Double] -> Builder
 nearestDocument format naming scene rows =
-  document format naming (lengthBytes . sideLength scene) scene "from,to,value\n" entries
+  document format naming (lengthBytes . sideLength scene) scene plainHeader (entriesOf toShortest rows)
   where
     lengthBytes exact
       | nearest > 0 && not (isInfinite nearest) = toShortest nearest
       | otherwise = decimalBytes defaultDigits exact
       where
         nearest = nearestDouble exact
-    entries = [Entry (rowFrom row) to (toShortest x) Nothing | row <- rows, (to, x) <- rowFactors row]
 
 -- | A form factor as it is written, and its measure where that is wanted.
 data Entry = Entry !SideName !Seen !Bytes.ByteString !(Maybe RootSum)

@@ -108,7 +108,7 @@ factorCount = U.length . columns
 -- | The equations with form factors as Doubles.
 --
 -- /Requires/ one element for every side of the scene. /Cost/ O(factors + n log n).
-fromNearest :: BinaryPlaces -> Refined -> [NearestRow] -> System
+fromNearest :: BinaryPlaces -> Refined -> [FactorRow Double] -> System
 fromNearest places cut rows =
   assembled places cut known bounds (\entries -> (U.fromList entries, CorrectlyRounded))
   where

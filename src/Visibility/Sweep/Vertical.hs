@@ -30,7 +30,7 @@ module Visibility.Sweep.Vertical
   , startingSides
   ) where
 
-import Control.Monad (foldM, forM_, when)
+import Control.Monad (foldM, forM_, unless, when)
 import Control.Monad.ST (ST, runST)
 import Data.Int (Int32)
 import Data.List (sortBy)
@@ -145,15 +145,25 @@ verticalSweep scene = runST $ do
               occupy s (Crossing x later)
               low <- below status s
               high <- above status s
+              ordered low high x
               seen low high x
               visit (x + 1) unused
             else do
               let here = cornersFrom scene x
                   starting = startingSides scene here
               (low, high) <- concat <$> mapM arriving here >>= gap x
+              ordered low high x
               filled low high unused starting
               mapM_ (seen low high) here
               visit (x + length here) (unused + length starting)
+
+    -- Unsafe arithmetic may get the sides out of order.
+    ordered low high x = do
+      isAbove <- if low == noSlot then pure True else isUnder x low
+      isBelow <- if high == noSlot then pure True else not <$> isUnder x high
+      unless (isAbove && isBelow) $ disordered x
+    disordered x = broken "the sides that a vertical meets are in order" ("at corner " <> show x)
+    isUnder x s = (\(Crossing a b) -> turn (scenePoints scene) a b x == LeftTurn) <$> sideIn s
 
     isLast x = x + 1 >= n || not (samePlace scene (CornerId x) (CornerId (x + 1)))
 
@@ -164,12 +174,12 @@ verticalSweep scene = runST $ do
       if seesUp then sideOf freeBelow high >>= put ceilings' p else put ceilings' p solid
 
     -- The slots around a place, when those that end there have been taken out.
-    gap x [] = lookupGap status (fmap (\(Crossing a b) -> turn (scenePoints scene) a b x == LeftTurn) . sideIn)
+    gap x [] = lookupGap status (isUnder x)
     gap x slots = do
       lows <- filter (`notElem` slots) <$> mapM (below status) slots
       case lows of
         [_] -> foldM (\_ s -> remove status s) (noSlot, noSlot) slots
-        _ -> broken "status of the plane sweep" ("at corner " <> show x)
+        _ -> disordered x
 
     filled _ _ _ [] = pure ()
     filled low high s (side : others) = do

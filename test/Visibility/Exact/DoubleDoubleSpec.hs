@@ -43,9 +43,15 @@ spec = modifyMaxSuccess (* 20) $ do
         let exact = halved (exactSum signed) by
             found = quotientEnclosure (sum2 signed) (uncurry machineLength by)
             double = nearestHalfQuotient (sum2 signed) (uncurry machineLength by)
-         in cover 30 (isJust double) "rounded" . cover 1 (isNothing double) "in doubt" . conjoin $
+            integers = scaledHalfQuotient (sum2 signed) (uncurry machineLength by)
+         in cover 30 (isJust integers) "enclosed in integers" . cover 30 (isJust double) "rounded" . cover 1 (isNothing double) "in doubt" . conjoin $
               [counterexample (show bounds) (inside exact bounds) | Just bounds <- [found]]
                 <> [counterexample (show x) (fmap nearestDouble exact == Just x) | Just x <- [double]]
+                <> [ counterexample (show found') (low > 0 && inside exact (times low, times high))
+                   | Just found'@(Scaled low high k) <- [integers]
+                   , let times m = fromInteger m * 2 ^^ k
+                   ]
+                <> [counterexample "enclosed one way only" (isJust integers || isNothing double)]
     it "is in doubt exactly between two Doubles, and just beside the middle" $ do
       -- (2^54 - 1) / 2^55 has 54 digits; the length of (2^54, 0) is a Double.
       let by = scaledLength 54 (2 ^ (54 :: Int)) 0 1

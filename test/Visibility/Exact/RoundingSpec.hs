@@ -7,6 +7,7 @@ import Data.Ratio (denominator, numerator, (%))
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Exact.DoubleDouble (Scaled (..))
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding
 
@@ -103,6 +104,15 @@ speck = summed [(1, 10 ^ (80 :: Int) + 1), (negate (10 ^ (40 :: Int)), 1)]
 hiddenZero :: RootSum
 hiddenZero = summed [(1, 8), (-2, 2), (1, 2 * 101 * 101), (-101, 2)]
 
+-- | A number of digits, and an enclosure that is narrow, with ends of few bits now and then.
+narrow :: Gen (Int, Scaled)
+narrow = do
+  n <- choose (1, 20)
+  low <- oneof [choose (1, 2 ^ (120 :: Int)), choose (1, 4000), (* 2 ^ (60 :: Int)) <$> choose (1, 2000)]
+  width <- elements [0, 1, 2 ^ (10 :: Int), low `div` 10 ^ n, low `div` (3 * 10 ^ n)]
+  k <- choose (-130, 0)
+  pure (n, Scaled low (low + width) k)
+
 spec :: Spec
 spec = do
   describe "digits" $
@@ -111,6 +121,25 @@ spec = do
       fmap digitCount (digits 5) `shouldBe` Just 5
       digitCount defaultDigits `shouldBe` 17
 
+  describe "decimalBetween" $ do
+    it "is the decimal of both ends, if they have the same one and the lower one is no tie" $
+      forAll narrow $ \(n, found@(Scaled low high k)) ->
+        let value end = fromInteger end * 2 ^^ k :: Rational
+            ends = (text n (rational (value low)), text n (rational (value high)))
+            result = digits n >>= (`decimalBetween` found)
+            -- A tie has one digit more, a 5.
+            (m, e) = readBack (text (n + 1) (rational (value low)))
+            isTie = m `mod` 10 == 5 && fromInteger m * 10 ^^ e == value low
+         in cover 20 (isJust result) "decided" . cover 5 (uncurry (/=) ends) "of two decimals" . cover 1 isTie "ties" $
+              counterexample (show (result, ends)) $ case result of
+                Just shown -> ends == (shown, shown)
+                Nothing -> uncurry (/=) ends || isTie || value low >= 10 ^ n
+    it "carries, and leaves alone what touches a tie" $
+      [ digits n >>= (`decimalBetween` Scaled low high k)
+      | (n, low, high, k) <-
+          [(3, 16380, 16383, -14), (3, 1, 1, -2), (1, 10, 10, -2), (1, 10, 11, -2), (1, 9, 10, -2), (1, 9, 9, -2), (1, 11, 11, -2)]
+      ]
+        `shouldBe` [Just "1.00", Just "0.250", Nothing, Nothing, Nothing, Just "2", Just "3"]
   describe "decimal" $ do
     it "rounds ties to the even digit" $
       forM_

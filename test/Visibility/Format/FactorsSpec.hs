@@ -37,9 +37,11 @@ squareAndWall wall k = sampleScene <$> sample (RawScene Nothing Nothing (map loo
 
 document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
-  lines . Lazy.unpack . toLazyByteString . factorsDocument format detail wanted OwnNames scene $
-    formFactors scene (measures scene (vertices scene))
+  lines . Lazy.unpack . toLazyByteString $ case detail of
+    DecimalsOnly -> decimalDocument format wanted OwnNames scene (decimalFactors wanted scene sums)
+    WithExactMeasures -> exactDocument format wanted OwnNames scene (formFactors scene sums)
   where
+    sums = measures scene (vertices scene)
     wanted = fromMaybe defaultDigits (digits 4)
 
 doubles :: FactorFormat -> Scene -> String
@@ -85,7 +87,7 @@ nearest = describe "nearestDocument" $ do
     tiny = 1 / 10 ^ (330 :: Int)
 
 documents :: Spec
-documents = describe "factorsDocument" $ do
+documents = describe "documents of decimals" $ do
   it "writes CSV by the names of both, the sky last" $
     fmap (document FactorsCsv DecimalsOnly) pair
       `shouldBe` Just
