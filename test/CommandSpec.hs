@@ -443,6 +443,11 @@ spec = do
       answers <- for ["kettner-a", "kettner-b"] $ \name -> (,,) name <$> call name "filtered" <*> call name "double"
       [name | (name, right, _) <- answers, fmap (\(code, _, _) -> code) right /= Just 0] `shouldBe` []
       [name | (name, right, unsafe) <- answers, unsafe == right] `shouldBe` []
+    for_ [("forty-digits", "are in order"), ("kettner-a", "to the end of its range")] $ \(name, law) ->
+      it ("of the unsafe arithmetic are noticed by the laws of the sweep: " <> law) $ do
+        (code, _, err) <- run ["graph", "scenes" </> name <> ".json", "--arithmetic", "double"] ""
+        code `shouldBe` 70
+        err `shouldSatisfy` isInfixOf law
     for_ ["info", "graph", "factors", "complex", "verify"] $ \command -> do
       it ("in syntax and shape end with exit code 3 in " <> command) $ do
         refuses 3 ["standard input"] [command, "-"] "{\"polygons\": [[[0,0],[1,0],[0,1]]"

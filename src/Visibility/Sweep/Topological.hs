@@ -23,7 +23,7 @@ module Visibility.Sweep.Topological
   , stepsTaken
   ) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
 import qualified Control.Monad.ST.Lazy as Lazy
 import Data.Int (Int32)
@@ -69,7 +69,8 @@ start scene = runST (begun (prepared scene) >>= \state -> stopped state (cornerC
 -- three chain steps per pair; that there are O(m) is proved by Rivière for another scan of the chains, not for this
 -- one.
 --
--- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@.
+-- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@. That no pair is left at the end
+-- is asked each time.
 vertices :: Scene -> [Vertex]
 vertices = concatMap pieceVertices . verticesInPieces
 
@@ -313,12 +314,22 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
           pure (depth + 1)
 
   Progress size depth swept _ <- go 0 most deep before'
+  when (size == 0) finished'
   found <- newPrimArray size
   copyMutablePrimArray found 0 written 0 size
   Progress size depth swept . Piece <$> unsafeFreezePrimArray found
   where
     n = cornerCount scene
     room = roomFor scene most
+    -- Unsafe arithmetic may stop before the end, with pairs that are never swept.
+    finished' = forM_ [0 .. n - 1] $ \p -> do
+      ahead <- getList right (target p)
+      behind <- getList left (target p)
+      when (isCornerList ahead) $ isLater p (listOwner ahead)
+      when (isCornerList behind) $ isLater (listOwner behind) p
+    isLater a b = case extent of
+      Quarter | rises rightward a b -> pure ()
+      _ -> broken "the sweep goes on to the end of its range" (show (a, b))
 
 -- | The turn at b from the line from a to the next pair of b in the same heading: left if there is none.
 continuing :: Frame -> Int -> Int -> List -> Turn
