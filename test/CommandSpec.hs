@@ -21,6 +21,7 @@ import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
 import System.Timeout (timeout)
 import Test.Hspec
+import Text.Read (readMaybe)
 import Visibility.Scene.Id (CornerName, readCornerName)
 
 -- | A pair of a line of the graph.
@@ -349,6 +350,35 @@ spec = do
                   ]
           (name, verdicts (/= "double")) `shouldBe` (name, ["right"])
           verdicts (== "double") `shouldSatisfy` \found -> "right" `elem` found && length found > 1
+        -- Closure, signs, and what becomes of Doubles when a scene moves or grows.
+        hard <- map cells . lines <$> readFile (folder </> "new" </> "hard.csv")
+        let rows = [zip (concat (take 1 hard)) row | row <- drop 1 hard]
+            column name chosen = [cell | row <- rows, chosen row, Just cell <- [lookup name row]]
+            has name value row = lookup name row == Just value
+            double row = has "arithmetic" "double" row
+            answered row = lookup "sides" row /= Just ""
+        for_ [("open_sides", "0"), ("farthest_off", "0.0")] $ \(name, none) ->
+          nub (column name (\row -> not (double row) && answered row)) `shouldBe` [none]
+        column "open_sides" (\row -> double row && has "scenes" "moved" row && has "k" "0" row) `shouldBe` ["0"]
+        column "open_sides" (\row -> double row && answered row) `shouldSatisfy` any (/= "0")
+        -- The sides of a row are those of the scene, whatever is made of it; the open ones are among them.
+        [ (scenes, k)
+          | row <- rows
+          , answered row
+          , Just scenes <- [lookup "scenes" row]
+          , Just k <- [lookup "k" row]
+          , length (nub (column "sides" (\r -> answered r && has "scenes" scenes r && has "k" k r))) > 1
+            || columnAbove "open_sides" "sides" row
+          ]
+          `shouldBe` []
+        nub (column "arithmetic" (not . has "signs" "")) `shouldBe` ["filtered"]
+        filter (columnAbove "signs_left" "signs") rows `shouldBe` []
+        for_ ["moved", "scaled"] $ \name -> nub (column "verdict" (has "scenes" name)) `shouldBe` ["right"]
+        -- Doubles do not notice a power of two until it overflows.
+        nub (filter (not . null) (column "farthest_off" (\row -> double row && has "scenes" "scaled" row)))
+          `shouldSatisfy` ((== 1) . length)
+        column "farthest_off" (\row -> double row && has "scenes" "scaled" row) `shouldSatisfy` elem ""
+        column "verdict" (\row -> double row && has "scenes" "moved apart" row) `shouldSatisfy` any (/= "right")
 
   describe "version" $
     it "is that of the package" $ do
@@ -518,7 +548,14 @@ reportTables =
       , 100
       )
     )
-  , ("hard.csv", ([("scenes", AWord), ("k", Whole), ("arithmetic", AWord)] <> verdict, 200))
+  , ( "hard.csv"
+    , ( [("scenes", AWord), ("k", Whole), ("arithmetic", AWord)]
+          <> verdict
+          <> [("sides", Perhaps Whole), ("open_sides", Perhaps Whole), ("farthest_off", Perhaps Number)]
+          <> [("signs", Perhaps Whole), ("signs_left", Perhaps Whole)]
+      , 350
+      )
+    )
   , ( "radiosity.csv"
     , ( [("scene", AWord), ("mesh", AWord), ("parameter", Perhaps Whole), ("elements", Whole)]
           <> [(name, Number) | name <- words "seconds mean_error largest_error"]
@@ -536,6 +573,12 @@ reportTables =
     sizes = [("scene", AWord), ("corners", Whole), ("pairs", Whole)]
     ways = [("arithmetic", AWord), ("scheduler", AWord)]
     verdict = [("verdict", AWord), ("missing", Perhaps Whole), ("spurious", Perhaps Whole)]
+
+-- | Whether a row has a number under the first name that is greater than the one under the second.
+columnAbove :: String -> String -> [(String, String)] -> Bool
+columnAbove name limit row = or [x > y | Just x <- [at name], Just y <- [at limit]]
+  where
+    at column = lookup column row >>= readMaybe :: Maybe Int
 
 -- | The objects seen and their form factors, of a view.
 seenIn :: String -> Maybe [(String, String)]

@@ -6,44 +6,24 @@ module Report.Hard
   ) where
 
 import Control.Monad (forM)
+import Data.Foldable (maximumBy)
 import Data.List (intercalate, sort)
+import Data.List.NonEmpty (NonEmpty, nonEmpty)
+import Data.Ord (comparing)
 import qualified Data.Text as Text
+import Report.Closure
+import Report.Ladder
 import Report.Measure
 import Report.Paper
 import Report.Scenes
 import Report.Verdict
+import Visibility.Count (Signs (..), countingSigns, shareLeft)
 import Visibility.Draw.Drawing (Style (..))
-import Visibility.Exact.Point (Arithmetic (..), Point (..))
-import Visibility.Law (broken)
+import Visibility.Draw.Scale (counted)
+import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Report.Plot
 import Visibility.Scene
-import Visibility.Scene.Family
-import Visibility.Scene.Raw
 import Visibility.Sweep
-
--- | A family by a growing number.
-data Ladder = Ladder
-  { ladderName :: !String
-  , ladderMeaning :: !String
-  , ladderScene :: Int -> RawScene
-  , ladderRungs :: ![Int]
-  }
-
-ladders :: Plan -> [Ladder]
-ladders plan =
-  [ Ladder "nearly collinear" "three triangles with tips on a line, but for 2^-k" nearlyCollinear steps
-  , Ladder "slit" "two walls end to end with a slit of 2^-k between them, and a triangle on either side" slit steps
-  , Ladder "needles" "twelve slanted triangles, about a unit long and 2^-k wide" needles steps
-  , Ladder "far away" "ten quadrilaterals with corners at thirds, and a triangle at a distance of 4000 · 2^k" far steps
-  , Ladder
-      "touching"
-      "four triangles of size 2^k that touch in (1/7, 1/11), and a fifth that nearly touches one of them along a side"
-      touching
-      steps
-  , Ladder "kettner" "k tiny triangles near (1/2, 1/2), and two others" (named Kettner . max 1) (filter (> 0) steps)
-  ]
-  where
-    steps = hardSteps plan
 
 -- | The ways to decide signs, by their names; how each is judged.
 data Way = Contained | Here !Arithmetic
@@ -62,6 +42,10 @@ data Row = Row
   , rowStep :: !Int
   , rowWay :: !String
   , rowVerdict :: !Verdict
+  , rowClosure :: !(Maybe Closure)
+  -- ^ Nothing where there is no graph, or closure was left out.
+  , rowSigns :: !(Maybe Signs)
+  -- ^ Those of the floating-point filter, where there is one.
   }
 
 hardSection :: (String -> IO ()) -> Plan -> FilePath -> IO Section
@@ -70,9 +54,7 @@ hardSection progress plan folder = do
     progress ("hard cases: " <> ladderName ladder <> ", " <> show k)
     found <- saved (rawCase folder (map dash (ladderName ladder) <> "-" <> show k) (ladderScene ladder k))
     let truth = sort (bruteForce (caseScene found))
-    forM ways $ \(name, way) -> Row (ladderName ladder) k name <$> case way of
-      Contained -> unsafeVerdict plan "topological" (caseFile found)
-      Here arithmetic -> vertexVerdict truth (vertices (underArithmetic arithmetic (caseScene found)))
+    forM ways $ \(name, way) -> judged plan found truth way (Row (ladderName ladder) k name)
   pure
     Section
       { sectionTitle = "Hard cases: where each arithmetic first errs"
@@ -85,11 +67,26 @@ hardSection progress plan folder = do
               <> show (sum [missing | Wrong missing _ <- doublesOf rows])
               <> " pairs are missing and "
               <> show (sum [extra | Wrong _ extra <- doublesOf rows])
-              <> " are spurious."
+              <> " spurious."
           , "Each scene gets harder with k. Doubles run in a process of their own, with limits of time and memory, \
             \and their graph is compared with the exact one; filtered, exact and rational arithmetic are compared \
             \with brute force in integers, pair by pair. The rational baseline computes on lattice integers, with \
             \denominator 1."
+          , "Coordinates of 2^k. Signs are decided on the lattice, whose origin is where the scene begins. Where all \
+            \is *moved*, the lattice moves along, so the signs of Doubles stay as they are; but they take distances in \
+            \the file's coordinates, so form factors lose a binary digit each time that k grows by 1. Where a triangle \
+            \stays (*moved apart*, *far away*), the lattice must reach from it to the others, and signs are lost too. \
+            \*Scaled* by powers of two, Doubles keep all their digits, until the square of a distance overflows."
+          , "Closure: the form factors of a side must add up to the part of it that nothing covers. For Doubles all is \
+            \computed in Doubles, topology, distances and sums, wherever there is a graph; a side is *open* if its sum \
+            \is off by more than "
+              <> show tolerance
+              <> " or is no number. For the other arithmetics closure is decided exactly, on the topology that they \
+                 \find, up to "
+              <> show (closureLimit plan)
+              <> " corners. "
+              <> openText rows
+          , signText rows
           ]
       , sectionTables =
           [ Table
@@ -100,20 +97,43 @@ hardSection progress plan folder = do
               [ [ladderName ladder, ladderMeaning ladder, firstWrong doubles, firstWhat doubles, share doubles]
                   <> map (firstWrong . mine) exactWays
               | ladder <- ladders plan
-              , let mine way = [r | r <- rows, rowLadder r == ladderName ladder, rowWay r == way]
+              , let mine = byWay rows ladder
               , let doubles = mine "double"
               ]
+          , Table
+              ( "Closure, and the signs of the filter, over all scenes of a family. Open for Doubles: off by more than "
+                  <> show tolerance
+                  <> ", of all sides in scenes with a graph; elsewhere: off at all. Signs: how many the filter was \
+                     \asked, and the share that it left to integers; empty where machine integers decide all."
+              )
+              ( ["scenes", "double first open at", "open sides", "farthest off"]
+                  <> map (<> " open sides") exactWays
+                  <> ["signs", "left", "most left", "at"]
+              )
+              [ [ladderName ladder]
+                  <> closureOfDoubles (mine "double")
+                  <> map (openShare . mine) exactWays
+                  <> signsOf (mine "filtered")
+              | ladder <- ladders plan
+              , let mine = byWay rows ladder
+              ]
           ]
-      , sectionFigures = [Figure "hard.svg" (plot plan rows) (caption rows)]
+      , sectionFigures = [Figure "hard.svg" (plot plan rows) (caption plan rows)]
       , sectionData =
           [ ( "hard.csv"
-            , words "scenes k arithmetic verdict missing spurious"
-                : [[rowLadder r, show (rowStep r), rowWay r] <> verdictCells (rowVerdict r) | r <- rows]
+            , words "scenes k arithmetic verdict missing spurious sides open_sides farthest_off signs signs_left"
+                : [ [rowLadder r, show (rowStep r), rowWay r]
+                      <> verdictCells (rowVerdict r)
+                      <> closureCells (rowClosure r)
+                      <> signCells (rowSigns r)
+                  | r <- rows
+                  ]
             )
           ]
       }
   where
     exactWays = [name | (name, Here _) <- ways]
+    byWay rows ladder way = [r | r <- rows, rowLadder r == ladderName ladder, rowWay r == way]
     doublesOf rows = [rowVerdict r | r <- rows, rowWay r == "double"]
     -- All of them, those too that do not occur.
     outcomes found =
@@ -138,8 +158,116 @@ hardSection progress plan folder = do
         "pairs missing: " <> show missing <> ", spurious: " <> show extra <> ", and nothing noticed"
       _ -> verdictWord verdict
 
+-- | What a way makes of a scene.
+judged :: Plan -> Case -> [Vertex] -> Way -> (Verdict -> Maybe Closure -> Maybe Signs -> Row) -> IO Row
+judged plan found truth way row = case way of
+  Contained -> do
+    verdict <- unsafeVerdict plan "topological" (caseFile found)
+    closure <- case verdict of
+      NoAnswer _ -> pure Nothing
+      _ -> ended (closureInDoubles scene)
+    pure (row verdict closure Nothing)
+  Here arithmetic -> do
+    let under = underArithmetic arithmetic scene
+    verdict <- vertexVerdict truth (vertices under)
+    closure <-
+      if cornerCount scene <= closureLimit plan
+        then ended (closureExactly Topological under)
+        else pure Nothing
+    signs <-
+      if arithmetic == Filtered
+        then snd <$> countingSigns under (\watched -> pure $! length (vertices watched))
+        else pure Nothing
+    pure (row verdict closure signs)
+  where
+    scene = caseScene found
+
+-- | The rows with a side that is open.
+openRows :: [Row] -> [Row]
+openRows rows = [r | r <- rows, Just closure <- [rowClosure r], closureOpen closure > 0]
+
+-- | Open sides, of all.
+openShare :: [Row] -> String
+openShare rows = show (sum (map closureOpen found)) <> " of " <> show (sum (map closureSides found))
+  where
+    found = [closure | Just closure <- map rowClosure rows]
+
+openText :: [Row] -> String
+openText rows =
+  "Doubles leave "
+    <> openShare doubles
+    <> " sides open, on "
+    <> show (length (openRows doubles))
+    <> " scenes, on "
+    <> show (length [() | r <- openRows doubles, rowVerdict r == Correct])
+    <> " of which all their pairs are right; and "
+    <> show (length [() | r <- doubles, Wrong _ _ <- [rowVerdict r], Just 0 <- [closureOpen <$> rowClosure r]])
+    <> " of their wrong graphs close. The others leave "
+    <> openShare [r | r <- rows, rowWay r /= "double"]
+    <> " open."
+  where
+    doubles = [r | r <- rows, rowWay r == "double"]
+
+-- | Where closure first breaks, how many sides are open, and how far the farthest is off.
+closureOfDoubles :: [Row] -> [String]
+closureOfDoubles rows =
+  [ case openRows rows of
+      [] -> "never"
+      r : _ -> show (rowStep r)
+  , openShare rows
+  , maybe "no number" (sig . maximum . (0 :)) (sequence [closureWorst closure | Just closure <- map rowClosure rows])
+  ]
+
+-- | As data: all sides, the open ones, and the distance of the farthest sum, where all sums are numbers.
+closureCells :: Maybe Closure -> [String]
+closureCells found = case found of
+  Nothing -> ["", "", ""]
+  Just closure -> [show (closureSides closure), show (closureOpen closure), maybe "" show (closureWorst closure)]
+
+-- | The signs of a filter with their rows, if there are any.
+signsIn :: [Row] -> Maybe (NonEmpty (Row, Signs))
+signsIn rows = nonEmpty [(r, signs) | r <- rows, Just signs <- [rowSigns r]]
+
+together :: NonEmpty (Row, Signs) -> Signs
+together found = Signs (sum (fmap (signsDecided . snd) found)) (sum (fmap (signsLeft . snd) found))
+
+-- | All signs, the share left, the greatest share, and where that is.
+signsOf :: [Row] -> [String]
+signsOf rows = case signsIn rows of
+  Nothing -> ["", "", "", ""]
+  Just found -> [show (signsDecided (together found)), shareCell (together found), shareCell most, show (rowStep r)]
+    where
+      (r, most) = mostLeft found
+
+mostLeft :: NonEmpty (Row, Signs) -> (Row, Signs)
+mostLeft = maximumBy (comparing (shareLeft . snd))
+
+signText :: [Row] -> String
+signText rows = case signsIn rows of
+  Nothing -> "Machine integers decide all signs of all scenes: no filter is asked."
+  Just found ->
+    "Signs: on "
+      <> show (length found)
+      <> " of "
+      <> show (length [() | r <- rows, rowWay r == "filtered"])
+      <> " scenes the coordinates are too long for machine integers, and the filter is asked. It decides "
+      <> show (signsDecided (together found) - signsLeft (together found))
+      <> " of "
+      <> show (signsDecided (together found))
+      <> " signs and leaves "
+      <> shareCell (together found)
+      <> " to integers; at most "
+      <> shareCell most
+      <> ", on *"
+      <> rowLadder hardest
+      <> "*, k = "
+      <> show (rowStep hardest)
+      <> "."
+    where
+      (hardest, most) = mostLeft found
+
 -- | Verdicts as they are told apart in the plot.
-data Kind = RightKind | WrongKind | RefusedKind | NoneKind
+data Kind = RightKind | OpenKind | WrongKind | RefusedKind | NoneKind
   deriving (Eq)
 
 kindOf :: Verdict -> Kind
@@ -149,9 +277,16 @@ kindOf verdict = case verdict of
   NoAnswer Refused -> RefusedKind
   NoAnswer _ -> NoneKind
 
+-- | With closure.
+kindIn :: Row -> Kind
+kindIn r = case kindOf (rowVerdict r) of
+  RightKind | not (null (openRows [r])) -> OpenKind
+  kind -> kind
+
 kindWord :: Kind -> String
 kindWord kind = case kind of
   RightKind -> "right"
+  OpenKind -> "right pairs, but form factors that do not add up"
   WrongKind -> "finished with wrong pairs and noticed nothing"
   RefusedKind -> "refused by a law"
   NoneKind -> "crashed, or out of time or memory"
@@ -169,10 +304,11 @@ plot plan rows =
             | (height, place) <- zip [0 ..] places
             , r <- rows
             , (rowLadder r, rowWay r) == place
-            , kindOf (rowVerdict r) == kind
+            , kindIn r == kind
             ]
         | (kind, style, marker) <-
             [ (RightKind, Series2, Circle)
+            , (OpenKind, Series4, Diamond)
             , (WrongKind, Series3, Cross)
             , (RefusedKind, Series5, Triangle)
             , (NoneKind, Series7, Square)
@@ -183,13 +319,16 @@ plot plan rows =
     -- From below.
     places = reverse [(ladderName ladder, way) | ladder <- ladders plan, (way, _) <- ways]
 
-caption :: [Row] -> Text.Text
-caption rows =
-  "Scenes of six families under four arithmetics: a row for each family and arithmetic, a mark for each scene, harder \
-  \from left to right. k is the exponent of a gap 2^-k, of a distance or a size 2^k, or a number of tiny triangles, \
-  \as the table says. A circle: all visible pairs are right. A cross: pairs are wrong, and nothing noticed it. A \
-  \triangle: a law of the sweep was broken and noticed. A square: no answer. Doubles are wrong, or without an answer, \
-  \on "
+caption :: Plan -> [Row] -> Text.Text
+caption plan rows =
+  "Scenes of "
+    <> counted (length (ladders plan)) "family" "families"
+    <> " under four arithmetics: a row for each family and arithmetic, a mark for each scene, harder from left to \
+       \right. k is the exponent of a gap 2^-k, of a distance or a size 2^k or 2^(16 k), or a number of tiny \
+       \triangles, as the table says. A circle: all visible pairs are right, and form factors add up. A diamond: all pairs are \
+       \right, but the form factors of a side do not add up. A cross: pairs are wrong, and nothing noticed it. A \
+       \triangle: a law of the sweep was broken and noticed. A square: no answer. Doubles are wrong, or without an \
+       \answer, on "
     <> Text.pack (show (length (wrongBy (== "double"))))
     <> " of "
     <> Text.pack (show (length [() | r <- rows, rowWay r == "double"]))
@@ -200,52 +339,3 @@ caption rows =
     <> ". The rational baseline computes on lattice integers, with denominator 1."
   where
     wrongBy way = [() | r <- rows, way (rowWay r), rowVerdict r /= Correct]
-
-scene' :: [[Point]] -> RawScene
-scene' = RawScene Nothing Nothing . map rawPolygon
-
-nearlyCollinear, slit, needles, far, touching :: Int -> RawScene
-nearlyCollinear k = scene' [at 0 0, at (1 / 3) (1 / 3 + tiny k), at (5 / 7) (5 / 7)]
-  where
-    at x y = [Point x y, Point (x + 1 / 11) (y - 1 / 5), Point (x + 1 / 7) (y - 1 / 7)]
-slit k =
-  scene'
-    [ [Point 0 (-1), Point 0 0]
-    , [Point 0 (tiny k), Point 0 (2 + tiny k)]
-    , [Point (-3) (-1 / 3), Point (-2) (-1 / 7), Point (-2) (1 / 3)]
-    , [Point 2 (-1 / 3), Point 3 0, Point 2 (1 / 7)]
-    ]
-needles k =
-  scene'
-    [ [Point (j / 7) base, Point (1 + j / 11) (base + 1 / 3 + tiny k / 3), Point (j / 7) (base + tiny k)]
-    | j <- map fromInteger [0 .. 11]
-    , let base = j / 3 + j * tiny k * 2
-    ]
-far k =
-  RawScene Nothing Nothing $
-    [p {rawCorners = [Point (x / 3) (y / 3) | Point x y <- rawCorners p]} | p <- rawPolygons (named Random 10)]
-      <> [rawPolygon [Point (-d) (-d), Point (-d) (1 - d), Point (-d - 1) (-d)]]
-  where
-    d = 4000 * 2 ^ k
-touching k =
-  scene'
-    [ map moved corners'
-    | corners' <-
-        [ [(0, 0), (s, s / 7), (s, s / 2)]
-        , [(0, 0), (-s / 7, s), (-s / 2, s)]
-        , [(0, 0), (-s, -s / 7), (-s, -s / 2)]
-        , [(0, 0), (s / 7, -s), (s / 2, -s)]
-        , [(s / 3, s / 6 + 1 / 97), (s / 2, s / 4 + 1 / 97), (s / 3, s / 3)]
-        ]
-    ]
-  where
-    s = 4 + 2 ^ k / 3
-    moved (x, y) = Point (x + 1 / 7) (y + 1 / 11)
-
-tiny :: Int -> Rational
-tiny k = 1 / 2 ^ k
-
-named :: Family -> Int -> RawScene
-named kind n = case size n of
-  Just k -> family kind k (Seed 1)
-  Nothing -> broken "a scene of the report has a size" (show (kind, n))

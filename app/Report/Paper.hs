@@ -12,12 +12,15 @@ module Report.Paper
   , micro
   , timeCell
   , leastOf
+  , shareCell
+  , signCells
   ) where
 
 import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showEFloat, showFFloat)
+import Visibility.Count (Signs (..), shareLeft)
 import Visibility.Report.Plot (Plot (plotTitle))
 
 -- | A part of the report, in this order: text, tables, figures.
@@ -82,7 +85,7 @@ planOf Quick =
     , lineCounts = [1000, 10000, 100000]
     , pointCounts = [1, 4, 16]
     , directionCounts = [10, 100, 1000]
-    , hardSteps = [0, 6 .. 66]
+    , hardSteps = [0, 8 .. 72]
     , partCounts = [2, 4]
     , referenceParts = 8
     , timeLimit = 5
@@ -128,6 +131,14 @@ timeCell = maybe "" ((<> " s") . sig)
 -- | Microseconds of seconds.
 micro :: Double -> String
 micro = sig . (* 1e6)
+
+-- | The share of signs that a filter left to integers.
+shareCell :: Signs -> String
+shareCell signs = sig (100 * fromRational (shareLeft signs)) <> " %"
+
+-- | As data: how many signs a filter was asked, and how many it left; empty where none was.
+signCells :: Maybe Signs -> [String]
+signCells = maybe ["", ""] (\(Signs decided left) -> [show decided, show left])
 
 -- | A section in Markdown. The title's level is the second.
 markdown :: Section -> String

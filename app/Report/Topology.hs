@@ -7,6 +7,7 @@ module Report.Topology
 
 import Control.Monad (forM)
 import Data.List (sort)
+import Report.Closure
 import Report.Degenerate
 import Report.Measure
 import Report.Paper
@@ -15,8 +16,6 @@ import Report.Verdict (differences)
 import Visibility.Count (Signs (..), countingSigns)
 import Visibility.Draw.Drawing (Style (..))
 import Visibility.Exact.Point (Arithmetic (..))
-import Visibility.Exact.RootSum (Sign (Zero), sign)
-import Visibility.FormFactor (closureDefect, measures)
 import Visibility.Report.Plot
 import Visibility.Scene
 import Visibility.Scene.Family (Family (..))
@@ -124,7 +123,7 @@ rowsOf plan found = do
         let under = underArithmetic arithmetic scene
         (t, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
         let (missing, extra) = compared (verticesBy scheduler under)
-            open = if small (closureLimit plan) then Just (openSides under scheduler) else Nothing
+            open = if small (closureLimit plan) then Just (closureOpen (closureExactly scheduler under)) else Nothing
         pure (row name (schedulerWord scheduler) (Just t) "finished" missing extra open Nothing)
   (_, signs) <- countingSigns scene (\watched -> pure $! length (vertices watched))
   filtered <- mapM (safe "filtered" Filtered) [Topological, Straight]
@@ -143,11 +142,6 @@ rowsOf plan found = do
     scene = caseScene found
     small limit = cornerCount scene <= limit
 
--- | How many sides do not close.
-openSides :: Scene -> Scheduler -> Int
-openSides scene scheduler =
-  length [() | (_, defect) <- closureDefect scene (measures scene (verticesBy scheduler scene)), sign defect /= Zero]
-
 schedulerWord :: Scheduler -> String
 schedulerWord Topological = "topological"
 schedulerWord Straight = "straight"
@@ -165,7 +159,7 @@ unsafeRow plan found pairs truth scheduler = do
         Just _ -> do
           (seconds, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
           let (missing, extra) = differences truth (verticesBy scheduler under)
-          open <- if closes then ended (openSides under scheduler) else pure Nothing
+          open <- if closes then ended (closureOpen (closureExactly scheduler under)) else pure Nothing
           pure (row (Just seconds) "finished" (Just missing) (Just extra) open Nothing)
   where
     under = underArithmetic UnsafeDouble (caseScene found)
@@ -180,13 +174,13 @@ cellsOf row =
     <> [maybe "" (micro . (/ fromIntegral (rowPairs row))) (rowSeconds row), rowOutcome row]
     <> map (maybe "" show) [rowMissing row, rowSpurious row, rowOpen row]
     <> case rowSigns row of
-      Just (Signs decided left) -> [show decided, sig (100 * fromIntegral left / fromIntegral (max 1 decided)) <> " %"]
+      Just signs -> [show (signsDecided signs), shareCell signs]
       Nothing -> ["", ""]
 rawCells row =
   opening row
     <> [maybe "" (show . (* 1e6) . (/ fromIntegral (rowPairs row))) (rowSeconds row), rowOutcome row]
     <> map (maybe "" show) [rowMissing row, rowSpurious row, rowOpen row]
-    <> maybe ["", ""] (\(Signs decided left) -> [show decided, show left]) (rowSigns row)
+    <> signCells (rowSigns row)
 
 opening :: Row -> [String]
 opening row =
