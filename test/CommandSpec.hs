@@ -553,7 +553,7 @@ reportTables =
           <> verdict
           <> [("sides", Perhaps Whole), ("open_sides", Perhaps Whole), ("farthest_off", Perhaps Number)]
           <> [("signs", Perhaps Whole), ("signs_left", Perhaps Whole)]
-      , 350
+      , 300
       )
     )
   , ( "radiosity.csv"
