@@ -7,7 +7,6 @@ module Visibility.Sorting
     -- * Buckets
   , Buckets
   , bucketsBy
-  , bucketTotal
   , bucketOf
   , bucketSlice
     -- * Two numbers in one
@@ -74,10 +73,6 @@ bucketsBy bound owners = Buckets starts (sortedBy bound (fromIntegral . U.unsafe
   where
     items = U.enumFromN 0 (U.length owners)
     starts = U.scanl' (+) 0 (U.unsafeAccumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
-
--- | The bound.
-bucketTotal :: Buckets -> Int
-bucketTotal (Buckets starts _) = U.length starts - 1
 
 -- | The items in a bucket.
 bucketOf :: Buckets -> Int -> [Int]

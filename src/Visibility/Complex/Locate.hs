@@ -6,7 +6,6 @@ module Visibility.Complex.Locate
   , locatorComplex
     -- * Points
   , Eye
-  , eyeAt
   , eyeRank
   , eyeFrom
   , directionFrom

@@ -83,7 +83,7 @@ decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
 --
 -- /Laws:/ it is the 'decimal' of each rational in the enclosure.
 --
--- /Degenerate cases:/ 'Nothing' for numbers of 10ᴺ or more.
+-- /Degenerate cases:/ 'Nothing' for numbers of 10ᴺ or more, and for a positive exponent of the enclosure.
 decimalBetween :: Digits -> Scaled -> Maybe String
 decimalBetween n@(Digits count) (Scaled low high k)
   | k > 0 || low <= 0 = Nothing

@@ -2,7 +2,6 @@
 module Visibility.Scene.Contact
   ( -- * Corners with their ranks
     Ranked (..)
-  , rankedTotal
   , column
   , row
   , ranked

@@ -19,7 +19,6 @@ module Visibility.Sweep.Vertical
     -- * The plane sweep
   , Vertical (..)
   , verticalSweep
-  , floorsFor
   , firstTargets
     -- * Its states
   , Crossing (..)
@@ -33,6 +32,7 @@ module Visibility.Sweep.Vertical
 import Control.Monad (foldM, forM_, unless, when)
 import Control.Monad.ST (ST, runST)
 import Data.Int (Int32)
+import qualified Data.IntSet as IntSet
 import Data.List (sortBy)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
@@ -87,13 +87,14 @@ floorsFor heading = case heading of
   Rightward -> floors
   Leftward -> ceilings
 
--- | A side that crosses the vertical, from its left end to its right one. Both sides of a thin wall are one crossing.
+-- | A side that crosses the vertical, from its left end to its right one. The two sides of a thin wall of one piece are one
+-- crossing; the two faces of a piece of a longer one are two, in one place.
 data Crossing = Crossing !Int !Int
 
 -- | The side of a crossing that is free above it, or 'solid'.
 --
 -- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it
--- above. A thin wall has a side of each kind.
+-- above. A thin wall of one piece has a side of each kind.
 freeAbove :: Scene -> Crossing -> Int
 freeAbove scene (Crossing a b) = if following scene b == a then b else solid
 
@@ -176,7 +177,8 @@ verticalSweep scene = runST $ do
     -- The slots around a place, when those that end there have been taken out.
     gap x [] = lookupGap status (isUnder x)
     gap x slots = do
-      lows <- filter (`notElem` slots) <$> mapM (below status) slots
+      let ending = IntSet.fromList slots
+      lows <- filter (`IntSet.notMember` ending) <$> mapM (below status) slots
       case lows of
         [_] -> foldM (\_ s -> remove status s) (noSlot, noSlot) slots
         _ -> disordered x

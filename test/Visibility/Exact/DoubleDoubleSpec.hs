@@ -44,7 +44,8 @@ spec = modifyMaxSuccess (* 20) $ do
             found = quotientEnclosure (sum2 signed) (uncurry machineLength by)
             double = nearestHalfQuotient (sum2 signed) (uncurry machineLength by)
             integers = scaledHalfQuotient (sum2 signed) (uncurry machineLength by)
-         in cover 30 (isJust integers) "enclosed in integers" . cover 30 (isJust double) "rounded" . cover 1 (isNothing double) "in doubt" . conjoin $
+            covered = cover 30 (isJust integers) "enclosed in integers" . cover 30 (isJust double) "rounded"
+         in covered . cover 1 (isNothing double) "in doubt" . conjoin $
               [counterexample (show bounds) (inside exact bounds) | Just bounds <- [found]]
                 <> [counterexample (show x) (fmap nearestDouble exact == Just x) | Just x <- [double]]
                 <> [ counterexample (show found') (low > 0 && inside exact (times low, times high))
@@ -52,6 +53,19 @@ spec = modifyMaxSuccess (* 20) $ do
                    , let times m = fromInteger m * 2 ^^ k
                    ]
                 <> [counterexample "enclosed one way only" (isJust integers || isNothing double)]
+    it "is enclosed by integers as it is by Doubles, of at most four units more" $
+      forAll (oneof [(,) <$> (map wide <$> oneof [listOf signedVector, cancelling]) <*> (whole <$> divisor), nearDoubles]) $
+        \(signed, (x, y)) ->
+          let by = scaledLength 0 x y 1
+              total = foldl (\found ((x', y'), k) -> plusLength found (scaledLength 0 x' y' 1) k) noLengths signed
+           in conjoin
+                [ counterexample (show (ends, bounds)) $
+                    units low k <= fst bounds
+                      && snd bounds <= units high k
+                      && units (high - low) k <= snd bounds - fst bounds + units 4 k
+                | Just ends@(Scaled low high k) <- [scaledHalfQuotient total by]
+                , Just bounds <- [quotientEnclosure total by]
+                ]
     it "is in doubt exactly between two Doubles, and just beside the middle" $ do
       -- (2^54 - 1) / 2^55 has 54 digits; the length of (2^54, 0) is a Double.
       let by = scaledLength 54 (2 ^ (54 :: Int)) 0 1
@@ -67,6 +81,9 @@ spec = modifyMaxSuccess (* 20) $ do
     halved total (x, y) = case terms (hypotenuse 2 (toInteger x) (toInteger y)) of
       [(c, n)] -> quotientByRoot total c n
       _ -> Nothing
+    whole (x, y) = (toInteger x, toInteger y)
+    wide (v, k) = (whole v, k)
+    units m k = fromInteger m * 2 ^^ (k :: Int) :: Rational
     inside exact (low, high) = maybe False (\value -> rational low <= value && value <= rational high) exact
     noNumber (Double2 s _) = isNaN s
 
@@ -100,6 +117,12 @@ hugeVector = do
 
 signedVector :: Gen ((Int, Int), Int)
 signedVector = (,) <$> machineVector <*> choose (-6, 6)
+
+-- | Sums of lengths, and vectors, of which half the quotient has a second part far below a unit of the last place.
+nearDoubles :: Gen ([((Integer, Integer), Int)], (Integer, Integer))
+nearDoubles = (,) <$> resize 4 (listOf1 ((,) <$> ((,) <$> multiple <*> choose (1, 9)) <*> choose (1, 2))) <*> pure (3, 0)
+  where
+    multiple = (6 *) <$> choose (2 ^ (40 :: Int), 2 ^ (44 :: Int))
 
 -- | Sums whose lengths nearly cancel, or do so.
 cancelling :: Gen [((Int, Int), Int)]

@@ -27,15 +27,13 @@ spec = do
         property $ \(AnyScene s) ->
           let scene = sampleScene s
               pairs = concatMap (vertexPairs scene) (bruteForce scene)
+              targets heading = map fromIntegral (U.toList (firstTargets scene heading (verticalSweep scene)))
               first heading c = case sortBy (leastSlope scene c) (forward pairs heading c) of
                 CornerId q : _ -> q
                 [] -> case sight (shoot scene c (turned heading (justAfterDown scene c))) of
                   Just Sky -> skyCode scene
                   _ -> solid
-           in conjoin
-                [ map fromIntegral (U.toList (firstTargets scene heading (verticalSweep scene))) === map (first heading) (corners scene)
-                | heading <- [minBound ..]
-                ]
+           in conjoin [targets heading === map (first heading) (corners scene) | heading <- [minBound ..]]
   describe "headings" $
     it "order all indices, one against the other" $
       property $ \(NonNegative n) ->
