@@ -1,11 +1,13 @@
 module Visibility.Scene.TurnedSpec (spec) where
 
 import Data.List (sort)
+import Data.Maybe (maybeToList)
 import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
-import Visibility.Exact.Point (Point (..), Vector2 (..), Way (..))
+import Visibility.Exact.Point (LatticePoint (..), Point (..), Vector2 (..), Way (..))
 import Visibility.Scene
+import Visibility.Scene.Raw
 import Visibility.Scene.Turned
 import Visibility.Sweep
 import Visibility.Test.Generator
@@ -28,6 +30,12 @@ spec =
                   === map (cornersNamed scene . fst) (statedCorners scene)
               , map snd (statedCorners turned) === map (rightTurned . snd) (statedCorners scene)
               ]
+    it "has no corner that is negative on its lattice" $
+      forAllShrink (oneof [(\(AnyScene s) -> s) <$> arbitrary, (\(HardScene s) -> s) <$> arbitrary]) shrinkSample $
+        conjoin . map notNegative . turnedCorners . sampleScene
+    it "has none where corners have denominators of their own" $
+      let owned = map (turnedCorners . sampleScene) (maybeToList (sample unrelated))
+       in (map (any hasOwn) owned, map (all notNegative) owned) `shouldBe` ([True], [True])
     it "has the same walks, sides and places" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
@@ -53,6 +61,19 @@ spec =
             (turned, olds) = quarterTurned scene
             old (CornerId c) = CornerId (fromIntegral (olds U.! c))
          in sort (map (sort . map old . vertexCorners) (vertices turned)) === sort (map vertexCorners (vertices scene))
+
+turnedCorners :: Scene -> [LatticePoint]
+turnedCorners scene = let (turned, _) = quarterTurned scene in map (cornerAt turned) (corners turned)
+
+notNegative, hasOwn :: LatticePoint -> Bool
+notNegative (LatticePoint x y _) = x >= 0 && y >= 0
+hasOwn (LatticePoint _ _ w) = w > 1
+
+-- | Walls whose corners are on no lattice with a denominator of fewer than some hundred bits.
+unrelated :: RawScene
+unrelated = RawScene Nothing Nothing [rawWall [corner k 0, corner (k + 1) 1] | k <- [0, 2 .. 20]]
+  where
+    corner k y = Point (fromInteger k + 1 / (2 ^ (60 :: Int) + fromInteger k)) (y + 1 / (3 ^ (40 :: Int) + fromInteger k))
 
 rightTurned :: Point -> Point
 rightTurned (Point x y) = Point y (negate x)
