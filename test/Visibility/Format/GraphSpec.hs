@@ -4,10 +4,14 @@ import Data.ByteString.Builder (Builder, byteString, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (sort)
 import qualified Data.Set as Set
+import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Format.Graph
 import Visibility.Scene
+import Visibility.Scene.Raw
+import Visibility.Sorting (pairOf)
 import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.View (isTangent)
@@ -28,7 +32,7 @@ spec = do
                 ]
             line (a, b) = cornerText a <> " " <> cornerText b
          in textLines (sortedOf scene AllPairs) === map line (Set.toAscList named)
-  describe "linesOf" $
+  describe "linesOf" $ do
     it "has a line for each selected pair, in the order of the stream, and the same lines as when sorted" $
       property $ \(AnyScene s) ->
         forAll (elements [minBound .. maxBound]) $ \selection ->
@@ -40,6 +44,16 @@ spec = do
                 , sort (textLines (streamOf scene selection))
                     === sort (textLines (sortedOf scene selection))
                 ]
+    it "writes names of any length" $
+      let polygons = [[(0, k), (1, k)] | k <- [1 .. 1000]] <> [[(k, k `mod` 2 - 9) | k <- [0 .. 1100]]]
+          raw = RawScene Nothing Nothing [rawWall [Point (fromInteger x) (fromInteger y) | (x, y) <- p] | p <- polygons]
+          texts scene = map (cornerText . fst) (statedCorners scene)
+          neighbours scene = U.fromList [pairOf k (k + 1) | k <- [0 .. length (texts scene) - 2]]
+       in [ textLines (byteString (linesOf (namesOf scene) (neighbours scene)))
+              == zipWith (\a b -> a <> " " <> b) (texts scene) (drop 1 (texts scene))
+          | Just scene <- [sampleScene <$> sample raw]
+          ]
+            `shouldBe` [True]
   describe "selectedPairs" $ do
     it "keeps, of free bitangents, the pairs that are tangent at both corners and no sides" $
       property $ \(AnyScene s) ->

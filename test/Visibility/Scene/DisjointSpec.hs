@@ -55,7 +55,13 @@ spec = modifyMaxSuccess (* 20) $ do
     nest = do
       reach <- elements [1, 2, 4, 8]
       corners <- square 20 reach
-      elements [rawPolygon corners, rawPolygon (reverse corners), rawWall (take 2 corners), rawWall (take 3 corners)]
+      -- In a polygon with a notch, sides also start where there is its solid around.
+      notched <- notch corners <$> elements [1 / 8, 1 / 4, 3 / 8]
+      elements $
+        map rawPolygon [corners, reverse corners, notched, reverse notched] <> map rawWall [take 2 corners, take 3 corners]
+    notch corners k = case corners of
+      Point a b : others@[_, Point c d, _] -> Point (a * k + c * (1 - k)) (b * k + d * (1 - k)) : others
+      _ -> corners
     -- A little turned, so that few corners are in one place and few sides on one line.
     square :: Rational -> Rational -> Gen [Point]
     square width reach = do
