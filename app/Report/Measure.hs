@@ -28,16 +28,29 @@ import System.Process (CreateProcess (..), StdStream (..), proc, terminateProces
 import System.Timeout (timeout)
 import Visibility.Law (Violation)
 
--- | The least processor time of some runs, in seconds, and the result of one. The argument comes out of a cell, so that
--- no run can share the result of another.
+-- | The least processor time of some runs, in seconds, and the result of one; see 'severalTimes'. The argument comes out
+-- of a cell, so that no run can share the result of another.
 bestTime :: Int -> a -> (a -> b) -> IO (Double, b)
 bestTime count argument work = do
   cell <- newIORef argument
   performGC
-  results <- replicateM (max 1 count) (timed (readIORef cell >>= evaluate . work))
+  results <- severalTimes count fst (timed (readIORef cell >>= evaluate . work))
   case results of
     (_, result) : _ -> pure (minimum (map fst results), result)
     [] -> timed (evaluate (work argument))
+
+-- | The results of so many runs; but where that is more than one and they are short, of as many as take half a second, or
+-- fifty: the least of a few short ones says little on a machine that has other work.
+severalTimes :: Int -> (a -> Double) -> IO a -> IO [a]
+severalTimes count secondsOf action
+  | count <= 1 = replicateM 1 action
+  | otherwise = go (0 :: Int) 0
+  where
+    go done spent
+      | done >= count && (spent >= 0.5 || done >= 50) = pure []
+      | otherwise = do
+          result <- action
+          (result :) <$> go (done + 1) (spent + secondsOf result)
 
 -- | The processor time of an action, in seconds.
 timed :: IO a -> IO (Double, a)
@@ -82,10 +95,15 @@ runContained plan arguments = runChild (timeLimit plan) (arguments <> ["+RTS", h
 -- any ended well.
 leastClock :: Plan -> [String] -> IO (Maybe Double)
 leastClock plan arguments = do
-  outcomes <- replicateM (max 1 (runs plan)) (runChild (60 * timeLimit plan) arguments)
+  outcomes <- severalTimes (runs plan) spentIn (runChild (60 * timeLimit plan) arguments)
   pure $ case [seconds | Finished seconds _ <- outcomes] of
     [] -> Nothing
     times -> Just (minimum times)
+  where
+    spentIn outcome = case outcome of
+      Finished seconds _ -> seconds
+      -- Not to be tried often.
+      Failed _ -> 1
 
 -- | Runs this program with other arguments, for at most so many seconds.
 runChild :: Double -> [String] -> IO Outcome

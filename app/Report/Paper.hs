@@ -122,7 +122,9 @@ sig x
 
 -- | What a time is, by how often it was taken.
 leastOf :: Plan -> String
-leastOf plan = if runs plan <= 1 then "taken once" else "the least of " <> show (runs plan) <> " runs"
+leastOf plan
+  | runs plan <= 1 = "taken once"
+  | otherwise = "the least of " <> show (runs plan) <> " runs, or where they are short of as many as take half a second"
 
 -- | A time, or nothing where none was measured.
 timeCell :: Maybe Double -> String

@@ -24,7 +24,15 @@ import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Predicate (Turn (LeftTurn), turn)
 import Visibility.Exact.RootSum (Sign (Zero), fromTerms, merged, sign, terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits, nearestDouble)
-import Visibility.FormFactor (measureList, measures)
+import Visibility.FormFactor
+  ( FactorRow (..)
+  , FormFactor (..)
+  , decimalFactors
+  , formFactors
+  , measureList
+  , measures
+  , nearestFactors
+  )
 import Visibility.Format.File (readSceneBytes)
 import Visibility.Scene
 import Visibility.Scene.Family (Family (..))
@@ -70,6 +78,17 @@ parts =
       , bench "all tables, 100 quadrilaterals" (whnf (length . faceIds . complexOf) (sceneOf Random 100))
       ]
   , bgroup
+      "form factors, sweep included"
+      [ bench "exact values, 100 quadrilaterals" $
+          whnf (\s -> sum (map (length . terms . factorValue) (formFactors s (swept s)))) (sceneOf Random 100)
+      , bench "17 digits, 1000 quadrilaterals" $
+          whnf
+            (\s -> sum (map (sum . map (Bytes.length . snd) . rowFactors) (decimalFactors defaultDigits s (swept s))))
+            (sceneOf Random 1000)
+      , bench "Doubles, 1000 quadrilaterals" $
+          whnf (\s -> sum (map (sum . map snd . rowFactors) (nearestFactors s (swept s)))) (sceneOf Random 1000)
+      ]
+  , bgroup
       "root sums"
       [ bench "merge, 64 terms" (nf (map (terms . merged)) longSums)
       , bench "sign, 64 terms" (nf (map ((== Zero) . sign)) longSums)
@@ -83,6 +102,7 @@ parts =
       ]
   ]
   where
+    swept s = measures s (vertices s)
     longSums = maybeToList (fromTerms [(fromInteger (k * 17 `mod` 29 - 14) / 3, k * k + 1) | k <- [1 .. 64]])
 
 -- | How many of a thousand triples of corners turn left.
@@ -105,6 +125,8 @@ commands exe files =
         , (["complex"], 100)
         , (["factors"], 30)
         , (["factors"], 100)
+        , (["factors"], 1000)
+        , (["factors", "--double"], 1000)
         ]
     , (path, k) <- files
     , k == n
