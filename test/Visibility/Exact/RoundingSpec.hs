@@ -108,9 +108,15 @@ hiddenZero = summed [(1, 8), (-2, 2), (1, 2 * 101 * 101), (-101, 2)]
 narrow :: Gen (Int, Scaled)
 narrow = do
   n <- choose (1, 20)
-  low <- oneof [choose (1, 2 ^ (120 :: Int)), choose (1, 4000), (* 2 ^ (60 :: Int)) <$> choose (1, 2000)]
+  whole <- choose (10 ^ (n - 1), 10 ^ n - 1)
+  zeros <- choose (0, 40)
+  (low, k) <-
+    frequency
+      [ (4, (,) <$> oneof [choose (1, 2 ^ (120 :: Int)), choose (1, 4000)] <*> choose (-130, 0))
+      , -- A tie.
+        (1, pure ((2 * whole + 1) * 2 ^ zeros, -1 - zeros))
+      ]
   width <- elements [0, 1, 2 ^ (10 :: Int), low `div` 10 ^ n, low `div` (3 * 10 ^ n)]
-  k <- choose (-130, 0)
   pure (n, Scaled low (low + width) k)
 
 spec :: Spec
@@ -122,18 +128,19 @@ spec = do
       digitCount defaultDigits `shouldBe` 17
 
   describe "decimalBetween" $ do
-    it "is the decimal of both ends, if they have the same one and the lower one is no tie" $
+    it "is the decimal of both ends, if they have the same one and neither is a tie" $
       forAll narrow $ \(n, found@(Scaled low high k)) ->
         let value end = fromInteger end * 2 ^^ k :: Rational
             ends = (text n (rational (value low)), text n (rational (value high)))
             result = digits n >>= (`decimalBetween` found)
             -- A tie has one digit more, a 5.
-            (m, e) = readBack (text (n + 1) (rational (value low)))
-            isTie = m `mod` 10 == 5 && fromInteger m * 10 ^^ e == value low
-         in cover 20 (isJust result) "decided" . cover 5 (uncurry (/=) ends) "of two decimals" . cover 1 isTie "ties" $
+            isTie end =
+              let (m, e) = readBack (text (n + 1) (rational (value end)))
+               in m `mod` 10 == 5 && fromInteger m * 10 ^^ e == value end
+         in cover 20 (isJust result) "decided" . cover 5 (uncurry (/=) ends) "of two decimals" . cover 1 (isTie low) "ties" $
               counterexample (show (result, ends)) $ case result of
                 Just shown -> ends == (shown, shown)
-                Nothing -> uncurry (/=) ends || isTie || value low >= 10 ^ n
+                Nothing -> uncurry (/=) ends || isTie low || isTie high || value low >= 10 ^ n
     it "carries, and leaves alone what touches a tie" $
       [ digits n >>= (`decimalBetween` Scaled low high k)
       | (n, low, high, k) <-
