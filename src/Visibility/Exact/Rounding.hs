@@ -76,8 +76,8 @@ defaultDigits = Digits 17
 decimal :: Digits -> RootSum -> String
 decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
 
--- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one and neither is a
--- tie.
+-- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one, neither is a
+-- tie, and no power of ten is in between.
 --
 -- /Cost:/ a multiplication and a shift of numbers with as many bits as the enclosure and the digits have.
 --

@@ -128,7 +128,7 @@ spec = do
       digitCount defaultDigits `shouldBe` 17
 
   describe "decimalBetween" $ do
-    it "is the decimal of both ends, if they have the same one and neither is a tie" $
+    it "is the decimal of both ends, if they have the same one, neither is a tie, and no power of ten is in between" $
       forAll narrow $ \(n, found@(Scaled low high k)) ->
         let value end = fromInteger end * 2 ^^ k :: Rational
             ends = (text n (rational (value low)), text n (rational (value high)))
@@ -137,10 +137,12 @@ spec = do
             isTie end =
               let (m, e) = readBack (text (n + 1) (rational (value end)))
                in m `mod` 10 == 5 && fromInteger m * 10 ^^ e == value end
+            -- The exponent of the first digit.
+            leading end = let (m, e) = readBack (text 60 (rational (value end))) in length (show m) + e
          in cover 20 (isJust result) "decided" . cover 5 (uncurry (/=) ends) "of two decimals" . cover 1 (isTie low) "ties" $
               counterexample (show (result, ends)) $ case result of
                 Just shown -> ends == (shown, shown)
-                Nothing -> uncurry (/=) ends || isTie low || isTie high || value low >= 10 ^ n
+                Nothing -> uncurry (/=) ends || isTie low || isTie high || value low >= 10 ^ n || leading low /= leading high
     it "carries, and leaves alone what touches a tie" $
       [ digits n >>= (`decimalBetween` Scaled low high k)
       | (n, low, high, k) <-
