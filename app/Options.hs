@@ -125,7 +125,7 @@ whole =
           \'viscomplex COMMAND --help' explains a command."
     )
   where
-    version = infoOption "viscomplex 0.6.0.0" (long "version" <> help "Print the version.")
+    version = infoOption "viscomplex 0.7.0.0" (long "version" <> help "Print the version.")
 
 commands :: Parser (Either Mistake Command)
 commands =

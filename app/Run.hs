@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | What all commands share: scenes in, results out, exit codes.
 module Run
   ( guarded
@@ -23,6 +25,7 @@ import Control.Exception
   , handleJust
   )
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
@@ -37,7 +40,6 @@ import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.FormFactor (Measures, measuresInPieces)
 import Visibility.Format.File (fileLabel, readSceneBytes, sceneFileBytes)
-import Visibility.Format.Json (sceneDocument)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep (Piece, Vertex, halvesInPieces, pieceLength, piecesBy, verticesBy)
@@ -61,20 +63,19 @@ withScene common work = do
     label = fileLabel file
     failed problems = complain (map errorText (toList problems)) >> ends (problemsOutcome problems)
 
--- Reports a law that broke in work on the scene that these bytes state. They are read again, lest the statement of the
--- scene stays in memory during the work; for the same reason the compiler must not share it with that of 'withScene'.
+-- Reports a law that broke in work on the scene that these bytes state, and these bytes as they are. To write the scene
+-- anew, all that reads scenes would have to stay at hand during the work.
 dump :: Common -> ByteString -> SomeException -> IO ()
 dump common bytes exception = do
   complain $
     displayException exception
       : ["The arithmetic was double, which is unsafe: filtered and exact break no law." | unsafe]
         <> ["The scene was:"]
-  hPutBuilder stderr (either mempty sceneDocument (readSceneBytes (fileLabel (sceneFile common)) bytes))
+  Bytes.hPut stderr (bytes <> "\n")
   hFlush stderr
   ends LawBroken
   where
     unsafe = arithmeticChoice common == UnsafeDouble
-{-# NOINLINE dump #-}
 
 -- | Everything but a wish to end, trouble with files, or what comes from outside is an error of this program.
 broken :: SomeException -> Maybe SomeException

@@ -50,6 +50,7 @@ module Visibility
   , FactorRow (..)
   , nearestFactors
   , decimalFactors
+  , exactFactors
     -- * The discontinuity mesh (all of it: "Visibility.Mesh")
   , Mesh
   , BreakPoint (..)
@@ -90,6 +91,7 @@ import Visibility.FormFactor
   , FormFactor (..)
   , Measures
   , decimalFactors
+  , exactFactors
   , formFactors
   , measures
   , nearestFactors

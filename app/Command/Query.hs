@@ -15,7 +15,7 @@ import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Count (count, countingSigns)
-import Visibility.FormFactor (FactorRow (..), decimalFactors, formFactors, nearestFactors)
+import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (Detail (..), Naming (..), decimalDocument, exactDocument, nearestDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
@@ -54,8 +54,7 @@ runFactors common options = withScene common $ \file -> divided common (factorEl
   sums <- measuring common scene
   case factorValues options of
     Decimals wanted WithExactMeasures ->
-      withProgress "form factors written" (const 1) (formFactors scene sums) $
-        printed . exactDocument (factorFormat options) wanted names scene
+      watched (exactFactors wanted scene sums) $ printed . exactDocument (factorFormat options) wanted names scene
     Decimals wanted DecimalsOnly ->
       watched (decimalFactors wanted scene sums) $ printed . decimalDocument (factorFormat options) wanted names scene
     NearestDoubles ->

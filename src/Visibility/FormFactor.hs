@@ -15,6 +15,7 @@ module Visibility.FormFactor
   , FactorRow (..)
   , nearestFactors
   , decimalFactors
+  , exactFactors
     -- * Laws
   , closureDefect
   ) where

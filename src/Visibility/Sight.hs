@@ -176,7 +176,7 @@ rayMeets scene (Point x y) (Direction dx dy) side = Point (x + t * along) (y + t
 elementFactors :: Scene -> Direction -> [Sight] -> [(Seen, RootSum)]
 elementFactors scene normal sights =
   [ (object, total)
-  | (object, added) <- Map.toAscList (Map.fromListWith RootSum.plus weights)
+  | (object, added) <- Map.toAscList (RootSum.totalsBy weights)
   , let total = RootSum.merged added
   , not (null (RootSum.terms total))
   ]

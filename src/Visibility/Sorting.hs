@@ -69,9 +69,16 @@ data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)
 --
 -- /Laws/ @bucketOf (bucketsBy n owners) g == [i | (i, o) <- zip [0 ..] (U.toList owners), o == g]@.
 bucketsBy :: Int -> U.Vector Int32 -> Buckets
-bucketsBy bound owners = Buckets starts (sortedBy bound (fromIntegral . U.unsafeIndex owners . fromIntegral) items)
+bucketsBy bound owners = Buckets starts members
   where
-    items = U.enumFromN 0 (U.length owners)
+    members = U.create $ do
+      places <- U.thaw starts
+      table <- M.new (U.length owners)
+      flip U.imapM_ owners $ \item owner -> do
+        place <- M.read places (fromIntegral owner)
+        M.write table (fromIntegral place) (fromIntegral item)
+        M.write places (fromIntegral owner) (place + 1)
+      pure table
     starts = U.scanl' (+) 0 (U.unsafeAccumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
 
 -- | The items in a bucket.

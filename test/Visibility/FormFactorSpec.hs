@@ -95,6 +95,16 @@ spec = do
     it "of a floor and a wall in front of it are by its crossed strings less the uncrossed ones" $
       lookupFactor (squareRoom [[(1 / 2, 1 / 2), (3 / 4, 1 / 2)]]) ("E", 0) ("0", 0)
         `shouldBe` fromTerms [(1 / 8, 13), (-1 / 8, 5)]
+  describe "exact measures with decimals" $ do
+    it "are those of the exact form factors, a row for each side" $
+      property $ \(AnyScene s) -> forAll someDigits $ \n -> areExact n (sampleScene s)
+    it "are so where polygons touch" $
+      property $ \(TouchingScene s) -> forAll someDigits $ \n -> areExact n (sampleScene s)
+    it "are so on large lattices and between the points of one" $
+      property $ \(LatticeScene s) -> forAll (elements [1 / 3 ^ (25 :: Int), 3 ^ (25 :: Int), 2 ^ (31 :: Int) / 7]) $ \k ->
+        let larger p = p {rawCorners = map (times k) (rawCorners p)}
+            RawScene name room polygons = sampleRaw s
+         in onScene (RawScene name (larger <$> room) (map larger polygons)) (areExact defaultDigits)
   describe "the nearest Doubles" $ do
     it "are those of the exact form factors, the same ones in the same order" $
       property $ \(AnyScene s) -> areNearest (sampleScene s)
@@ -191,6 +201,17 @@ spec = do
         === [(factorFrom f, factorTo f, decimal n (factorValue f)) | f <- formFactors scene sums]
       where
         sums = measuresIn scene
+    areExact n scene =
+      conjoin
+        [ concatMap flattened (exactFactors n scene sums)
+            === [ (factorFrom f, factorTo f, decimal n (factorValue f), terms (factorMeasure f))
+                | f <- formFactors scene sums
+                ]
+        , counterexample "each side has a row" $ map rowFrom (exactFactors n scene sums) === statedSides scene
+        ]
+      where
+        sums = measuresIn scene
+        flattened (FactorRow from found _) = [(from, to, Bytes.unpack text, terms area) | (to, (text, area)) <- found]
     -- Two Doubles are enough for the shorter ones.
     someDigits :: Gen Digits
     someDigits = fromMaybe defaultDigits . digits <$> choose (1, 40)

@@ -1,12 +1,13 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- |
 -- Exact finite sums of rational multiples of square roots of positive integers.
 --
 -- Every measure of lines and every form factor of a polygonal scene is such a sum. This module adds them, decides their
 -- sign, and encloses them between rationals as tightly as one likes. Nothing is ever rounded.
 --
--- Two roots √a and √b are rational multiples of each other if and only if a·b is a perfect square; a and b are then in
--- one /square class/. Roots of different classes are linearly independent over the rationals, so a sum with one term
--- per class is zero only if it has no term. No integer is ever factored.
+-- Roots of different square classes ("Visibility.Exact.SquareClass") are linearly independent over the rationals, so a
+-- sum with one term per class is zero only if it has no term.
 module Visibility.Exact.RootSum
   ( -- * Sums of square roots
     RootSum
@@ -20,6 +21,7 @@ module Visibility.Exact.RootSum
 
     -- * Arithmetic
   , plus
+  , totalsBy
   , minus
   , negated
   , scaled
@@ -31,8 +33,6 @@ module Visibility.Exact.RootSum
   , sign
   , compareRootSums
   , merged
-  , PreparedRoot
-  , preparedRoot
   , mergedSum
   , asRational
 
@@ -41,17 +41,17 @@ module Visibility.Exact.RootSum
   , enclosureRelative
   ) where
 
-import Control.Monad (guard)
-import Data.Bits (shiftL, shiftR, testBit, (.&.))
-import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl')
-import Data.Map.Merge.Strict (merge, preserveMissing, zipWithMaybeMatched)
+import Data.Bits (shiftL, shiftR)
+import Data.List (foldl', sortBy)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Data.Ord (comparing)
 import Data.Ratio (denominator, numerator, (%))
 import GHC.Num (integerLog2)
+import GHC.Real (Ratio (..))
 import Visibility.Exact.IntegerRoot
+import Visibility.Exact.SquareClass
 
 -- | A finite sum Σ cᵢ √nᵢ with rational cᵢ and integers nᵢ > 0.
 --
@@ -60,7 +60,10 @@ import Visibility.Exact.IntegerRoot
 -- Shape: kept by radicand, without zero coefficients. Square classes are merged on demand only, see 'merged'.
 --
 -- /Laws:/ a commutative group under 'plus'; a vector space over the rationals under 'scaled'; totally ordered.
-newtype RootSum = RootSum (Map Integer Rational)
+data RootSum
+  = End
+  | -- | Of the least radicand, with the other terms.
+    Term !Integer !Rational !RootSum
 
 instance Show RootSum where
   showsPrec d s = showParen (d > 10) (showString "fromTerms " . showsPrec 11 (terms s))
@@ -76,11 +79,17 @@ instance Semigroup RootSum where
 
 instance Monoid RootSum where
   mempty = zero
-  mconcat = foldl' plus zero
+  -- Neighbours first: a sum of many is then O(t log t) for t terms in all.
+  mconcat [] = zero
+  mconcat [s] = s
+  mconcat sums = mconcat (pairs sums)
+    where
+      pairs (a : b : rest) = plus a b : pairs rest
+      pairs rest = rest
 
 -- | The empty sum.
 zero :: RootSum
-zero = RootSum Map.empty
+zero = End
 
 -- | A rational number, as its multiple of √1.
 rational :: Rational -> RootSum
@@ -115,27 +124,43 @@ rootOfRational q = root (1 % denominator q) (numerator q * denominator q)
 --
 -- /Cost:/ O(t log t) for t terms.
 fromTerms :: [(Rational, Integer)] -> Maybe RootSum
-fromTerms = fmap mconcat . traverse (uncurry root)
+fromTerms found
+  | any ((< 0) . snd) found = Nothing
+  | otherwise = Just (collected [(n, c) | (c, n) <- found, n /= 0])
 
 -- | The terms (coefficient, radicand) as they are kept: no zero coefficient, radicands positive and rising.
 --
 -- /Laws:/ @fromTerms (terms s) == Just s@, with the same terms.
 terms :: RootSum -> [(Rational, Integer)]
-terms (RootSum m) = [(c, n) | (n, c) <- Map.toAscList m]
+terms End = []
+terms (Term n c rest) = (c, n) : terms rest
 
 nonNegativeRoot :: Rational -> Integer -> RootSum
 nonNegativeRoot c n = if n == 0 then zero else positiveRoot c n
 
 positiveRoot :: Rational -> Integer -> RootSum
-positiveRoot c n = if c == 0 then zero else RootSum (Map.singleton n c)
+positiveRoot c n = term n c zero
+
+-- The sum with one more term, of a lesser radicand than any, if its coefficient is not zero.
+term :: Integer -> Rational -> RootSum -> RootSum
+term n c rest = if c == 0 then rest else Term n c rest
 
 -- | The sum of two sums.
 --
--- /Cost:/ O(a log (b\/a + 1)) for a ≤ b terms: adding a single term to a large sum is logarithmic.
+-- /Cost:/ O(a + b) for sums of a and b terms; many are best added by 'mconcat'.
 plus :: RootSum -> RootSum -> RootSum
-plus (RootSum a) (RootSum b) = RootSum (merge preserveMissing preserveMissing (zipWithMaybeMatched together) a b)
-  where
-    together _ c d = let e = c + d in if e == 0 then Nothing else Just e
+plus End b = b
+plus a End = a
+plus a@(Term n c a') b@(Term m d b') = case compare n m of
+  LT -> Term n c (plus a' b)
+  EQ -> term n (c + d) (plus a' b')
+  GT -> Term m d (plus a b')
+
+-- | The total of all sums with each key.
+--
+-- /Cost:/ for k sums of t terms in all, O(k log k + t log t).
+totalsBy :: Ord k => [(k, RootSum)] -> Map k RootSum
+totalsBy found = Map.map mconcat (Map.fromListWith (<>) [(key, [s]) | (key, s) <- found])
 
 -- | The difference of two sums.
 minus :: RootSum -> RootSum -> RootSum
@@ -143,13 +168,18 @@ minus a b = a `plus` negated b
 
 -- | The opposite sum.
 negated :: RootSum -> RootSum
-negated (RootSum m) = RootSum (Map.map negate m)
+negated = mapped negate
 
 -- | A rational multiple of a sum.
 scaled :: Rational -> RootSum -> RootSum
-scaled r (RootSum m)
+scaled r s
   | r == 0 = zero
-  | otherwise = RootSum (Map.map (r *) m)
+  | otherwise = mapped (r *) s
+
+-- Coefficients that are not zero must stay so.
+mapped :: (Rational -> Rational) -> RootSum -> RootSum
+mapped _ End = End
+mapped f (Term n c rest) = Term n (f c) (mapped f rest)
 
 -- | @timesRoot r n s@ is s · r √n; 'Nothing' if n is negative.
 --
@@ -177,13 +207,25 @@ quotientByRoot s r n
   where
     -- Rational arithmetic step by step would look for common divisors at each step; these numbers may be huge.
     quotientOf c m g =
-      let n' = n `quot` g
-       in ((m `quot` g) * n', (numerator c * denominator r) % (denominator c * numerator r * n'))
+      let !m' = over g m
+          !n' = over g n
+          !radicand' = m' * n'
+          !c' = lowest (numerator c * p) (denominator c * q * n')
+       in (radicand', c')
+    (p, q) = (signum (numerator r) * denominator r, abs (numerator r))
+    lowest a b = let g = gcd a b in over g a :% over g b
+    over g a = if g == 1 then a else a `quot` g
 
 -- | The sum of multiples of roots of positive integers, the radicands first.
+--
+-- /Cost:/ linear where the radicands rise.
 collected :: [(Integer, Rational)] -> RootSum
-collected [(n, c)] = positiveRoot c n
-collected found = RootSum (Map.filter (/= 0) (Map.fromListWith (+) found))
+collected = together . sortBy (comparing fst)
+  where
+    together ((n, c) : (m, d) : rest)
+      | n == m = together ((n, c + d) : rest)
+    together ((n, c) : rest) = term n c (together rest)
+    together [] = zero
 
 -- | Where a number lies with respect to zero.
 data Sign = Negative | Zero | Positive
@@ -207,12 +249,13 @@ sign s = fromMaybe (refine (128 :: Int)) (shown 64 s)
 
 -- | The sign, if it shows at a precision relative to the largest term.
 shown :: Int -> RootSum -> Maybe Sign
-shown bits s@(RootSum m)
-  | Map.null m = Just Zero
-  | all (> 0) m || low > 0 = Just Positive
-  | all (< 0) m || high < 0 = Just Negative
+shown bits s
+  | null coefficients = Just Zero
+  | all (> 0) coefficients || low > 0 = Just Positive
+  | all (< 0) coefficients || high < 0 = Just Negative
   | otherwise = Nothing
   where
+    coefficients = map fst (terms s)
     (low, high) = units (relativeScale bits s) s
 
 -- | The order of two sums as real numbers, decided exactly.
@@ -239,116 +282,20 @@ compareRootSums a b = compare (sign (a `minus` b)) Zero
 -- /Source:/ independence of roots of distinct square classes: Besicovitch, On the linear independence of fractional
 -- powers of integers (1940).
 merged :: RootSum -> RootSum
-merged s = RootSum (Map.fromList (concatMap oneTermPerClass (IntMap.toList buckets)))
-  where
-    buckets = IntMap.fromListWith (++) [(key, [term]) | (c, n) <- terms s, let (key, term) = localised c n]
-
--- | The root of a positive integer, ready to be summed: what 'merged' finds out about it alone.
-newtype PreparedRoot = PreparedRoot Local
-
--- | /Requires/ a positive integer.
-preparedRoot :: Integer -> PreparedRoot
-preparedRoot = PreparedRoot . local
+merged s = foldr (\(n, c) rest -> Term n c rest) zero (mergedTerms [(c, preparedRoot n) | (c, n) <- terms s])
 
 -- | The sum of integer multiples of roots, divided by an integer, merged.
 --
--- /Requires/ a positive divisor. /Cost/ that of 'merged' without the reductions.
+-- /Requires/ a positive divisor. /Cost/ that of 'merged' without preparing the roots.
 --
 -- /Laws/ terms as those of @'merged' ('fromTerms' [(c % d, n), …])@ but for the representatives of classes, which may
 -- differ where radicands cancel.
-mergedSum :: Integer -> [(Integer, PreparedRoot)] -> RootSum
-mergedSum divisor found = RootSum (Map.fromList (concatMap oneTerm (IntMap.toList buckets)))
+mergedSum :: Integral a => Integer -> [(Integer, PreparedRoot a)] -> RootSum
+mergedSum divisor found = foldr (\(n, c) rest -> Term (toInteger n) (part c) rest) zero (mergedTerms found)
   where
-    buckets = IntMap.fromListWith (++) [(key, [Term m (c * k)]) | (c, PreparedRoot (Local key k m)) <- found]
-    oneTerm bucket = [(g, if divisor == 1 then fromInteger c else c % divisor) | (g, c) <- oneTermPerClass bucket]
-
--- | The terms of one bucket, merged.
-oneTermPerClass :: (Eq a, Num a) => (Int, [Term a]) -> [(Integer, a)]
-oneTermPerClass (key, bucket) =
-  [(g, c) | (g, members) <- foldl' enter start bucket, let c = classCoefficient g members, c /= 0]
-  where
-    -- The class of the perfect squares is there from the start, so that a lone perfect square becomes 1 too.
-    start = [(1, []) | key == 0]
-
--- | c √n, the radicand first.
-data Term a = Term !Integer !a
-
-type SquareClass a = (Integer, [Term a])
-
-enter :: [SquareClass a] -> Term a -> [SquareClass a]
-enter classes term@(Term n _) = go classes
-  where
-    go [] = [(n, [term])]
-    go (known@(g, members) : others) = case commonRadicand g n of
-      Just h -> (h, term : members) : others
-      Nothing -> known : go others
-
--- | The greatest common divisor of two radicands if they are in one square class: the cofactors, coprime, are then
--- both squares.
-commonRadicand :: Integer -> Integer -> Maybe Integer
-commonRadicand a b | a == b = Just a
-commonRadicand a b = do
-  let g = gcd a b
-  guard (isSquare (a `quot` g) && isSquare (b `quot` g))
-  Just g
-
--- | The coefficient of √g, g a common radicand of all members.
-classCoefficient :: Num a => Integer -> [Term a] -> a
-classCoefficient g members =
-  balancedSum [if n == g then c else multiplied (integerSquareRoot (n `quot` g)) c | Term n c <- members]
-
-multiplied :: Num a => Integer -> a -> a
-multiplied k c = if k == 1 then c else fromInteger k * c
-
--- | Adds neighbours first: unrelated denominators then cost far less than one by one.
-balancedSum :: Num a => [a] -> a
-balancedSum [] = 0
-balancedSum [c] = c
-balancedSum cs = balancedSum (pairs cs)
-  where
-    pairs (a : b : rest) = (a + b) : pairs rest
-    pairs rest = rest
-
--- | A term with the squares of small primes taken out of its radicand, and a key that is equal for equal square
--- classes: the classes of the radicand in ℚₚ modulo squares, for all primes up to 47. The key is 0 for perfect
--- squares.
-localised :: Rational -> Integer -> (Int, Term Rational)
-localised c n = let Local key s m = local n in (key, Term m (multiplied s c))
-
-local :: Integer -> Local
-local n = foldl' (oddStep (fromInteger (n `rem` oddPrimesProduct))) twoAdic oddPrimes
-  where
-    v = fromIntegral (integerLog2 (n .&. negate n))
-    unit = fromInteger ((n `shiftR` v) .&. 7) `quot` 2
-    twoAdic = Local (4 * (v `rem` 2) + unit) (1 `shiftL` (v `quot` 2)) (n `shiftR` (2 * (v `quot` 2)))
-
--- | The key so far, the root of the square factor taken out so far, and the radicand left.
-data Local = Local !Int !Integer !Integer
-
--- | A prime, and the set of the residues of squares as bits.
-data OddPrime = OddPrime !Int !Integer
-
-oddStep :: Int -> Local -> OddPrime -> Local
-oddStep residue (Local key s m) (OddPrime p squares)
-  | r /= 0 = Local (4 * key + symbol r) s m
-  | otherwise = Local (4 * key + 2 * (v `rem` 2) + symbol unit) (s * power) (m `quot` (power * power))
-  where
-    r = residue `rem` p
-    symbol a = if testBit squares a then 0 else 1
-    -- The exponent of p in m, and the residue of what is left.
-    (v, unit) = valuation 0 m
-    power = toInteger p ^ (v `quot` 2)
-    valuation :: Int -> Integer -> (Int, Int)
-    valuation k a = case a `quotRem` toInteger p of
-      (q, 0) -> valuation (k + 1) q
-      (_, b) -> (k, fromInteger b)
-
-oddPrimes :: [OddPrime]
-oddPrimes = [OddPrime p (squareResidues p) | p <- [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47]]
-
--- | Less than 2⁵⁹.
-oddPrimesProduct :: Integer
-oddPrimesProduct = product [toInteger p | OddPrime p _ <- oddPrimes]
+    part c = if divisor == 1 then fromInteger c else c % divisor
+{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Int)] -> RootSum #-}
+{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Integer)] -> RootSum #-}
 
 -- | The rational number that a sum is, if it is one.
 --
@@ -381,9 +328,9 @@ inUnits k s = (scale low, scale high)
 
 -- | Bounds in units of 2⁻ᵏ, twice as far apart as there are terms.
 units :: Int -> RootSum -> (Integer, Integer)
-units k (RootSum m) = (low, low + 2 * toInteger (Map.size m))
+units k s = (low, low + 2 * toInteger (length (terms s)))
   where
-    low = Map.foldlWithKey' (\a n c -> a + lowerUnits k n c) 0 m
+    low = foldl' (\a (c, n) -> a + lowerUnits k n c) 0 (terms s)
 
 -- | An integer a with a ≤ c √n 2ᵏ ≤ a + 2.
 --
@@ -417,13 +364,15 @@ shiftedQuotient k a b
 
 -- | The k for 'units' that gives p bits of the largest term.
 relativeScale :: Int -> RootSum -> Int
-relativeScale p s@(RootSum m) = p + guardBits s - largest
+relativeScale p s = p + guardBits s - largest
   where
-    largest = if Map.null m then 0 else maximum [below n c | (n, c) <- Map.toList m]
+    largest = case terms s of
+      [] -> 0
+      found -> maximum [below n c | (c, n) <- found]
     -- A power of two at or below |c| √n.
     below n c = (2 * bits (numerator c) + bits n - 2 * bits (denominator c) - 2) `div` 2
     bits a = fromIntegral (integerLog2 (abs a))
 
 -- | Bits by which the bounds of 'units' are farther apart than one unit.
 guardBits :: RootSum -> Int
-guardBits (RootSum m) = fromIntegral (integerLog2 (toInteger (Map.size m))) + 2
+guardBits s = fromIntegral (integerLog2 (toInteger (length (terms s)))) + 2

@@ -19,10 +19,8 @@ module Visibility.FormFactor.Exact
     -- * By the names of the file
   , byName
   , seenByRank
-  , groupSums
   ) where
 
-import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import qualified Data.Vector as V
@@ -30,6 +28,7 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.FormFactor.Sums
 import Visibility.FormFactor.Terms
 import Visibility.Law (broken)
 import Visibility.Scene
@@ -84,34 +83,6 @@ exactSums scene terms groups =
   where
     sumOf = groupSums scene terms groups
 
--- | The measure of a group, in the file's units, terms merged.
-groupSums :: Scene -> Terms -> Groups -> Int -> RootSum
-groupSums scene terms groups = summed
-  where
-    scale = latticeScale (sceneLattice scene)
-    summed g = RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | (n, w, root) <- found]
-      where
-        found = groupTerms weigh [] groups g
-        common = foldl' (\sofar (_, w, _) -> if w == 1 then sofar else lcm sofar w) 1 found
-    weigh sums slot k = let Distance n w root = roots V.! slot in (toInteger k * n, w, root) : sums
-    -- Made when they are first needed, and once.
-    roots = V.generate (slotCount terms) (rootAlong scene . slotEnds terms)
-
--- | A distance on the lattice: a multiple of a root, the factor a fraction.
-data Distance = Distance !Integer !Integer !RootSum.PreparedRoot
-
--- | The distance of a slot in lengths of the primitive lattice vector along the line of its vertex: between whole
--- points t is an integer multiple of one root.
-rootAlong :: Scene -> (Int, Int, Int) -> Distance
-rootAlong scene (a, b, c) =
-  Distance (if px == 0 then y `quot` py else x `quot` px) w (RootSum.preparedRoot (px * px + py * py))
-  where
-    from i = cornerAt scene (CornerId a) `way` cornerAt scene (CornerId i)
-    Way (Vector2 x y) w = from b
-    Way (Vector2 dx dy) _ = from c
-    divisor = gcd dx dy
-    (px, py) = (dx `quot` divisor, dy `quot` divisor)
-
 -- | The terms by the ranks of what the file calls objects.
 byName :: Scene -> Terms -> Groups
 byName scene = groupedBy (V.length (seenByRank scene)) (ranks scene)
@@ -147,15 +118,14 @@ formFactors scene (Measures terms) =
   | (r, TheSide name) <- zip [0 ..] (V.toList seen)
   , let value = formFactor scene name
   , (other, g) <- rows r
-  , let total = totals V.! g
+  , let total = totals g
   , not (null (RootSum.terms total))
   ]
   where
     seen = seenByRank scene
     groups = byName scene terms
     rows = rowsOf (V.length seen) groups
-    -- Each is used from both sides.
-    totals = V.generate (groupCount groups) (groupSums scene terms groups)
+    totals = groupSums scene terms groups
 
 -- | The form factor from a side to something seen, from the measure of the lines between them in the file's units.
 formFactor :: Scene -> SideName -> Seen -> RootSum -> FormFactor
@@ -181,8 +151,7 @@ closureDefect scene sums =
   ]
   where
     rows =
-      Map.fromListWith
-        RootSum.plus
+      RootSum.totalsBy
         [ (s, total)
         | ((a, b), total) <- statedMeasures scene sums
         , TheSide s <- [a, b]

@@ -4,6 +4,7 @@ module Visibility.FormFactor.Rounded
   ( FactorRow (..)
   , nearestFactors
   , decimalFactors
+  , exactFactors
   ) where
 
 import Data.ByteString.Char8 (ByteString)
@@ -18,6 +19,7 @@ import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.FormFactor.Exact
+import Visibility.FormFactor.Sums
 import Visibility.FormFactor.Terms
 import Visibility.Scene
 
@@ -41,7 +43,7 @@ data FactorRow a = FactorRow
 --
 -- /Laws/ the factors are those of 'formFactors', each the 'nearestDouble' of its value.
 nearestFactors :: Scene -> Measures -> [FactorRow Double]
-nearestFactors = roundedFactors (Rounder nearestHalfQuotient nearestDouble)
+nearestFactors = roundedFactors (Rounder nearestHalfQuotient nearestDouble) const
 {-# NOINLINE nearestFactors #-}
 
 -- | The same, each as a decimal of so many significant digits.
@@ -50,22 +52,35 @@ nearestFactors = roundedFactors (Rounder nearestHalfQuotient nearestDouble)
 --
 -- /Laws/ the factors are those of 'formFactors', each the 'decimal' of its value.
 decimalFactors :: Digits -> Scene -> Measures -> [FactorRow ByteString]
-decimalFactors wanted = roundedFactors (Rounder between (Bytes.pack . decimal wanted))
+decimalFactors wanted = roundedFactors (toDigits wanted) const
+{-# NOINLINE decimalFactors #-}
+
+-- | The same, each with its measure A(s, t) = 2 L_s F_st in the file's units.
+--
+-- /Laws/ the measures are those of 'formFactors'.
+exactFactors :: Digits -> Scene -> Measures -> [FactorRow (ByteString, RootSum)]
+exactFactors wanted = roundedFactors (toDigits wanted) (,)
+{-# NOINLINE exactFactors #-}
+
+toDigits :: Digits -> Rounder ByteString
+toDigits wanted = Rounder between (Bytes.pack . decimal wanted)
   where
     between total by = Bytes.pack <$> (scaledHalfQuotient total by >>= decimalBetween wanted)
-{-# NOINLINE decimalFactors #-}
 
 -- | How a form factor is rounded: from a sum of lengths and the length to divide twice of, if their bounds leave no doubt
 -- that it is positive, and how it is rounded; and from its exact value.
 data Rounder a = Rounder !(Sum2 -> Double2 -> Maybe a) !(RootSum -> a)
 
-roundedFactors :: Rounder a -> Scene -> Measures -> [FactorRow a]
-roundedFactors (Rounder inDoubles inRoots) scene (Measures terms) =
+-- | What is told of a form factor is made of its rounded value and of its measure.
+roundedFactors :: Rounder a -> (a -> RootSum -> b) -> Scene -> Measures -> [FactorRow b]
+roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
   [ FactorRow name (catMaybes (zipWith listed reached quick)) (length (filter isNothing quick))
   | (r, TheSide name) <- zip [0 ..] (V.toList seen)
   , let reached = rows r
         quick = map (\(_, g) -> inDoubles (sums `sumAt` g) (sideLengths `lengthAt` r)) reached
-        listed (other, g) found = (,) (seen V.! other) <$> maybe (exactly (formFactor scene name) other g) Just found
+        listed (other, g) found = do
+          x <- maybe (exactly (formFactor scene name) other g) Just found
+          Just (seen V.! other, told x (totals g))
   ]
   where
     seen = seenByRank scene
@@ -75,9 +90,8 @@ roundedFactors (Rounder inDoubles inRoots) scene (Measures terms) =
       | null (RootSum.terms total) = Nothing
       | otherwise = Just $! inRoots (factorValue (value (seen V.! other) total))
       where
-        total = totals V.! g
-    -- Each is used from both sides. Made when one is needed.
-    totals = V.generate (groupCount groups) (groupSums scene terms groups)
+        total = totals g
+    totals = groupSums scene terms groups
 
     sums = sumsOf (groupCount groups) (groupTerms (\total slot -> plusLength total (distances `lengthAt` slot)) noLengths groups)
     distances = lengthsOf (slotCount terms) (lengthOf . alongSlot)

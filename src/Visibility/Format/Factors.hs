@@ -13,10 +13,10 @@ module Visibility.Format.Factors
 
 import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, byteString, char7, intDec, string7)
+import Data.ByteString.Builder (Builder, byteString, char7, intDec, integerDec, string7)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Double.Conversion.ByteString (toShortest)
-import qualified Data.Map.Strict as Map
+import Data.Ratio (denominator, numerator)
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
@@ -46,27 +46,19 @@ data Naming
 --
 -- /Degenerate cases/ where a part of a side is covered, JSON has @uncovered@ beside its length, the part of it that is
 -- not, exactly, and so has the text: the factors of the side add up to that.
-exactDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FormFactor] -> Builder
-exactDocument format wanted naming scene factors =
-  document format naming (decimalBytes wanted . sideLength scene) scene "from,to,value,measure\n" (map entry factors)
+exactDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FactorRow (Bytes.ByteString, RootSum)] -> Builder
+exactDocument format wanted naming scene =
+  document format naming (decimalBytes wanted . sideLength scene) scene "from,to,value,measure\n" entry
   where
-    entry factor =
-      Entry
-        (factorFrom factor)
-        (factorTo factor)
-        (decimalBytes wanted (factorValue factor))
-        (Just (factorMeasure factor))
+    entry (value, measure) = Entry value (Just measure)
 
 -- | The document of form factors as decimals of so many significant digits, of the same shape without measures.
 decimalDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FactorRow Bytes.ByteString] -> Builder
-decimalDocument format wanted naming scene rows =
-  document format naming (decimalBytes wanted . sideLength scene) scene plainHeader (entriesOf id rows)
+decimalDocument format wanted naming scene =
+  document format naming (decimalBytes wanted . sideLength scene) scene plainHeader (`Entry` Nothing)
 
 plainHeader :: String
 plainHeader = "from,to,value\n"
-
-entriesOf :: (a -> Bytes.ByteString) -> [FactorRow a] -> [Entry]
-entriesOf text rows = [Entry (rowFrom row) to (text x) Nothing | row <- rows, (to, x) <- rowFactors row]
 
 -- | The document of form factors rounded to Doubles, of the same shape. Values and lengths are the nearest Doubles,
 -- each the shortest decimal that is read back as it.
@@ -74,8 +66,8 @@ entriesOf text rows = [Entry (rowFrom row) to (text x) Nothing | row <- rows, (t
 -- /Degenerate cases/ a length that no positive Double is near to, being too large or too small, is the decimal of
 -- 'defaultDigits' that 'decimalDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
 nearestDocument :: FactorFormat -> Naming -> Scene -> [FactorRow Double] -> Builder
-nearestDocument format naming scene rows =
-  document format naming (lengthBytes . sideLength scene) scene plainHeader (entriesOf toShortest rows)
+nearestDocument format naming scene =
+  document format naming (lengthBytes . sideLength scene) scene plainHeader (\x -> Entry (toShortest x) Nothing)
   where
     lengthBytes exact
       | nearest > 0 && not (isInfinite nearest) = toShortest nearest
@@ -84,26 +76,32 @@ nearestDocument format naming scene rows =
         nearest = nearestDouble exact
 
 -- | A form factor as it is written, and its measure where that is wanted.
-data Entry = Entry !SideName !Seen !Bytes.ByteString !(Maybe RootSum)
+data Entry = Entry !Bytes.ByteString !(Maybe RootSum)
 
--- | Entries by the side that they leave; with the text of a side's length and the header of CSV.
-document :: FactorFormat -> Naming -> (SideName -> Bytes.ByteString) -> Scene -> String -> [Entry] -> Builder
-document format naming lengthOf scene header entries = case format of
-  FactorsCsv -> string7 header <> foldMap (csvRow naming) entries
-  FactorsJson -> Aeson.fromEncoding (json naming lengthOf scene entries) <> char7 '\n'
-  FactorsText -> plain naming lengthOf scene entries
+-- | Form factors by the side that they leave, each side having its row; with the text of a side's length and the header
+-- of CSV.
+document
+  :: FactorFormat -> Naming -> (SideName -> Bytes.ByteString) -> Scene -> String -> (a -> Entry) -> [FactorRow a] -> Builder
+document format naming lengthOf scene header entry rows = case format of
+  FactorsCsv -> string7 header <> foldMap line (concatMap entries rows)
+  FactorsJson -> Aeson.fromEncoding (json naming lengthOf scene (concatMap entries rows)) <> char7 '\n'
+  FactorsText -> foldMap block rows
+  where
+    entries row = [(rowFrom row, to, entry x) | (to, x) <- rowFactors row]
+    line (from, to, found) = csvRow naming from to found
+    block row = textBlock naming lengthOf scene (rowFrom row) [(to, entry x) | (to, x) <- rowFactors row]
 
 decimalBytes :: Digits -> RootSum -> Bytes.ByteString
 decimalBytes wanted = Bytes.pack . decimal wanted
 
-csvRow :: Naming -> Entry -> Builder
-csvRow naming (Entry from to value measure) =
+csvRow :: Naming -> SideName -> Seen -> Entry -> Builder
+csvRow naming from to (Entry value measure) =
   sideBuilder naming from
     <> char7 ','
     <> seenBuilder naming to
     <> char7 ','
     <> byteString value
-    <> foldMap (\total -> char7 ',' <> string7 (rootSumText total)) measure
+    <> foldMap (\total -> char7 ',' <> rootSum total) measure
     <> char7 '\n'
 
 sideBuilder :: Naming -> SideName -> Builder
@@ -127,7 +125,7 @@ nameOfSeen naming seen = case seen of
   TheSide s -> nameOf naming s
   TheSky -> seenText TheSky
 
-json :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Encoding
+json :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [(SideName, Seen, Entry)] -> Encoding
 json naming lengthOf scene entries =
   pairs $
     pair "format" (string "viscomplex/1")
@@ -136,16 +134,19 @@ json naming lengthOf scene entries =
   where
     side s =
       pairs $
-        pair "id" (string (nameOf naming s))
-          <> pair "length" (ascii (lengthOf s))
-          <> mconcat [pair "uncovered" (string (rationalText part)) | part <- covering scene s]
-    factor (Entry from to value measure) =
+        pair "id" (ascii (sideBuilder naming s))
+          <> pair "length" (ascii (byteString (lengthOf s)))
+          <> mconcat [pair "uncovered" (ascii (rationalBuilder part)) | part <- covering scene s]
+    factor (from, to, Entry value measure) =
       pairs $
-        pair "from" (string (nameOf naming from))
-          <> pair "to" (string (nameOfSeen naming to))
-          <> pair "value" (ascii value)
+        pair "from" (ascii (sideBuilder naming from))
+          <> pair "to" (ascii (seenBuilder naming to))
+          <> pair "value" (ascii (byteString value))
           <> foldMap (pair "measure" . exactTerms) measure
-    ascii text = Aeson.unsafeToEncoding (char7 '"' <> byteString text <> char7 '"')
+
+-- | A text that needs no escapes.
+ascii :: Builder -> Encoding
+ascii text = Aeson.unsafeToEncoding (char7 '"' <> text <> char7 '"')
 
 -- | The part of a side that is not covered, where that is not all of it.
 covering :: Scene -> SideName -> [Rational]
@@ -155,32 +156,39 @@ covering scene s = [part | let part = uncovered scene s, part /= 1]
 exactTerms :: RootSum -> Encoding
 exactTerms = list term . RootSum.terms
   where
-    term (c, n) = list string [rationalText c, show n]
+    term (c, n) = list ascii [rationalBuilder c, integerDec n]
 
-plain :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [Entry] -> Builder
-plain naming lengthOf scene entries = foldMap block (statedSides scene)
+-- | What the light from one side reaches.
+textBlock :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> SideName -> [(Seen, Entry)] -> Builder
+textBlock naming lengthOf scene s entries =
+  string7 "side "
+    <> sideBuilder naming s
+    <> string7 ", length "
+    <> byteString (lengthOf s)
+    <> foldMap (\part -> string7 ", " <> rationalBuilder part <> string7 " of it uncovered") (covering scene s)
+    <> string7 ", sees\n"
+    <> foldMap row entries
   where
-    bySide = Map.fromListWith (flip (<>)) [(from, [entry]) | entry@(Entry from _ _ _) <- entries]
-    block s =
-      string7 ("side " <> nameOf naming s <> ", length ")
-        <> byteString (lengthOf s)
-        <> foldMap (\part -> string7 (", " <> rationalText part <> " of it uncovered")) (covering scene s)
-        <> string7 ", sees\n"
-        <> foldMap row (Map.findWithDefault [] s bySide)
-    row (Entry _ to value measure) =
+    row (to, Entry value measure) =
       string7 ("  " <> padded (nameOfSeen naming to)) <> byteString value <> foldMap exact measure <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
-    exact total = string7 "  = (" <> string7 (rootSumText total) <> string7 ") / (2 L)"
+    exact total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
 
 -- | A sum of roots for people: @1\/2*sqrt(13) - 3@.
-rootSumText :: RootSum -> String
-rootSumText total = case RootSum.terms total of
-  [] -> "0"
-  first : rest -> leading first <> concatMap following rest
+rootSum :: RootSum -> Builder
+rootSum total = case RootSum.terms total of
+  [] -> char7 '0'
+  first : rest -> leading first <> foldMap following rest
   where
-    leading (c, n) = (if c < 0 then "-" else "") <> magnitude (abs c) n
-    following (c, n) = (if c < 0 then " - " else " + ") <> magnitude (abs c) n
-    magnitude c 1 = rationalText c
+    leading (c, n) = (if c < 0 then char7 '-' else mempty) <> magnitude (abs c) n
+    following (c, n) = string7 (if c < 0 then " - " else " + ") <> magnitude (abs c) n
+    magnitude c 1 = rationalBuilder c
     magnitude 1 n = root n
-    magnitude c n = rationalText c <> "*" <> root n
-    root n = "sqrt(" <> show n <> ")"
+    magnitude c n = rationalBuilder c <> char7 '*' <> root n
+    root n = string7 "sqrt(" <> integerDec n <> char7 ')'
+
+-- | As 'rationalText' has it.
+rationalBuilder :: Rational -> Builder
+rationalBuilder q
+  | denominator q == 1 = integerDec (numerator q)
+  | otherwise = integerDec (numerator q) <> char7 '/' <> integerDec (denominator q)

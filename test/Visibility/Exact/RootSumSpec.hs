@@ -149,6 +149,15 @@ spec = do
         let (a, b, c) = (build r, build s, build t)
          in ((a <> b) <> c === a <> (b <> c)) .&&. (a <> b === b <> a) .&&. (mconcat [a, b, mempty, c] === c <> b <> a)
               .&&. (terms (a `minus` a) === [])
+    it "adds many as it adds two, their terms in the order of radicands" $
+      property $ \ss ->
+        let sums = map build ss
+            radicands = map snd (terms (mconcat sums))
+         in (terms (mconcat sums) === terms (foldl' plus zero sums)) .&&. (and (zipWith (<) radicands (drop 1 radicands)) === True)
+    it "adds up by keys" $
+      property $ \ss ->
+        let keyed = [(k :: Int, build s) | (k, s) <- ss]
+         in fmap terms (totalsBy keyed) === Map.map terms (Map.fromListWith (flip plus) keyed)
     it "scales linearly" $
       property $ \s t -> forAll ((,) <$> coefficient <*> coefficient) $ \(p, q) ->
         let (a, b) = (build s, build t)

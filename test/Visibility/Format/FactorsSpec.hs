@@ -39,7 +39,7 @@ document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
   lines . Lazy.unpack . toLazyByteString $ case detail of
     DecimalsOnly -> decimalDocument format wanted OwnNames scene (decimalFactors wanted scene sums)
-    WithExactMeasures -> exactDocument format wanted OwnNames scene (formFactors scene sums)
+    WithExactMeasures -> exactDocument format wanted OwnNames scene (exactFactors wanted scene sums)
   where
     sums = measures scene (vertices scene)
     wanted = fromMaybe defaultDigits (digits 4)

@@ -1,15 +1,24 @@
 module Visibility.Scene.StatusSpec (spec) where
 
-import Control.Monad (foldM)
+import Control.Monad (foldM, forM_)
 import Control.Monad.ST (ST, runST)
 import Data.List (delete, insert)
+import Data.STRef
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
 import Visibility.Scene.Status
 
 spec :: Spec
-spec =
+spec = do
+  it "asks O(log n) questions a search on average, also where a tree that is turned one step at a time asks n" $
+    [ (name, n)
+    | n <- [512, 2048, 8192]
+    , let most = 4 * n * ceiling (logBase 2 (fromIntegral n) :: Double)
+    , (name, order) <- orders n
+    , questions n order > most
+    ]
+      `shouldBe` []
   modifyMaxSuccess (* 5) $
     prop "a status is the list of what was put in and not taken out, in the order of the one who asks" $
       forAll changes $ \(bound, slots) ->
@@ -23,6 +32,29 @@ spec =
       slots <- vectorOf k (choose (0, bound - 1))
       rising <- frequency [(3, pure False), (1, pure True)]
       pure (bound, if rising then [0 .. bound - 1] <> slots else slots)
+
+-- Orders in which n slots come in, n being even: by their own order, from one end, from both, and every second one first.
+orders :: Int -> [(String, [Int])]
+orders n =
+  [ ("rising", [0 .. n - 1])
+  , ("falling", [n - 1, n - 2 .. 0])
+  , ("from both ends", concat [[k, n - 1 - k] | k <- [0 .. n `div` 2 - 1]])
+  , ("rising twice", [0, 2 .. n - 1] <> [1, 3 .. n - 1])
+  , ("rising, then falling", [0, 2 .. n - 1] <> reverse [1, 3 .. n - 1])
+  , ("by halves", [k * odd' `mod` n | k <- [0 .. n - 1]])
+  ]
+  where
+    odd' = n `div` 2 + 1
+
+-- How many questions are asked while slots come in, by their own order.
+questions :: Int -> [Int] -> Int
+questions bound slots = runST $ do
+  asked <- newSTRef 0
+  status <- newStatus bound
+  forM_ slots $ \s -> do
+    (low, high) <- lookupGap status (\t -> modifySTRef' asked (+ 1) >> pure (t < s))
+    insertBetween status low high s
+  readSTRef asked
 
 -- What there is after each change, upwards and downwards, with the neighbours of what was changed.
 type Record = ([Int], [Int], (Int, Int))

@@ -151,8 +151,7 @@ closedMeasures =
 -- | The measures of all bounded faces, added up by what their two objects are counted for.
 sumsBy :: Ord k => ((Object, Object) -> [k]) -> Complex -> Map.Map k RootSum
 sumsBy keys complex =
-  Map.fromListWith
-    RootSum.plus
+  RootSum.totalsBy
     [(key, area) | (f, area) <- boundaryMeasures complex, key <- keys (faceBack complex f, faceFront complex f)]
 
 -- | Merged sums with the same terms are equal; others have to be compared.

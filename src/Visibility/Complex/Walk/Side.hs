@@ -87,7 +87,7 @@ sees index@(SideIndex complex _ _) name = looked <$> piecesOf scene name
       where
         faces = [(s, f) | s <- pieces, f <- facesOf index (Side s)]
         measured = [(other s f, faceMeasure complex f) | (s, f) <- faces]
-        totals = Map.map RootSum.merged (Map.fromListWith RootSum.plus measured)
+        totals = Map.map RootSum.merged (RootSum.totalsBy measured)
     other s f = seenAs scene (if faceBack complex f == Side s then faceFront complex f else faceBack complex f)
     factor (object, total) = formFactor scene name object total
 

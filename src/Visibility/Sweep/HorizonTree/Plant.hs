@@ -5,7 +5,7 @@ module Visibility.Sweep.HorizonTree.Plant
   ( plant
   ) where
 
-import Control.Monad (forM_, unless)
+import Control.Monad (unless)
 import Control.Monad.ST (ST)
 import Data.Int (Int32)
 import Data.List (sortBy)
@@ -30,7 +30,7 @@ plant f heading targets = do
     putList tree (target p) l
     unless (l == noList) $ putNode tree (edge p) (nodeTo p l)
     unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  forM_ [0 .. n - 1] $ \q -> do
+  U.forM_ (U.enumFromN 0 n) $ \q -> do
     let nodes = bucketSlice arriving q
         !l = cornerList q
         nodeAt' = nodeCoded . U.unsafeIndex nodes
@@ -44,9 +44,10 @@ plant f heading targets = do
   pure tree
   where
     n = frameSize f
-    eachCorner visit = case heading of
-      Rightward -> forM_ [0 .. n - 1] visit
-      Leftward -> forM_ [0 .. n - 1] (\k -> visit (n - 1 - k))
+    -- Lists of all corners would be shared, and kept.
+    eachCorner = U.forM_ $ case heading of
+      Rightward -> U.enumFromN 0 n
+      Leftward -> U.enumFromStepN (n - 1) (-1) n
     targetFrom p
       | t == solid = noList
       | t == n = skyList n
