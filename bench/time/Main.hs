@@ -79,8 +79,8 @@ parts =
       ]
   , bgroup
       "form factors, sweep included"
-      [ bench "exact values, 100 quadrilaterals" $
-          whnf (\s -> sum (map (length . terms . factorValue) (formFactors s (swept s)))) (sceneOf Random 100)
+      [ bench "exact values, 100 quadrilaterals" (whnf exactTerms (sceneOf Random 100))
+      , bench "exact values, 1000 quadrilaterals" (whnf exactTerms (sceneOf Random 1000))
       , bench "17 digits, 1000 quadrilaterals" $
           whnf
             (\s -> sum (map (sum . map (Bytes.length . snd) . rowFactors) (decimalFactors defaultDigits s (swept s))))
@@ -103,6 +103,7 @@ parts =
   ]
   where
     swept s = measures s (vertices s)
+    exactTerms s = sum (map (length . terms . factorValue) (formFactors s (swept s)))
     longSums = maybeToList (fromTerms [(fromInteger (k * 17 `mod` 29 - 14) / 3, k * k + 1) | k <- [1 .. 64]])
 
 -- | How many of a thousand triples of corners turn left.
@@ -126,6 +127,7 @@ commands exe files =
         , (["factors"], 30)
         , (["factors"], 100)
         , (["factors"], 1000)
+        , (["factors", "--exact"], 1000)
         , (["factors", "--double"], 1000)
         ]
     , (path, k) <- files

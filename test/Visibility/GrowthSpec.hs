@@ -14,6 +14,7 @@ import qualified Data.Map.Strict as Map
 import System.Mem (getAllocationCounter)
 import Test.Hspec
 import Visibility.Complex (complexOf, faceIds)
+import Visibility.Exact.RootSum (terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor
 import Visibility.Mesh
@@ -37,6 +38,8 @@ spec =
         let swept = vertices s in measures s swept `seq` Just (pairsOf s swept)
       grow "the form factors that are rounded to 17 digits, from exact sums" summed $ \(Summed s sums) ->
         Just (sum (map (signum . length . decimal defaultDigits . factorValue) (formFactors s sums)))
+      grow "the form factors that are told with their exact measures" summed $ \(Summed s sums) ->
+        Just (sum [signum (length (terms area)) | row <- exactFactors defaultDigits s sums, (_, (_, area)) <- rowFactors row])
       grow "the form factors that are nearest Doubles" summed $ \(Summed s sums) ->
         Just (sum (map (length . rowFactors) (nearestFactors s sums)))
       grow "the form factors of the equations of radiosity" summed $ \(Summed s sums) ->
