@@ -32,7 +32,8 @@ data Scale
   = -- | By logarithms: in whole decades, or from 1, 2 or 5 times a power of ten to another where these are few; around
     -- 1 without values. What is not positive has no place.
     Decades !Text
-  | -- | In proportion, from 0 on, a tick at each multiple of a power of ten. What is negative has no place.
+  | -- | In proportion, from 0 on, a tick at each multiple of a power of ten; both ends keep clear of the frame, so that
+    -- no point lies across it. What is negative has no place.
     Steps !Text
   | -- | Names at equal distances from the origin on, for the values 0, 1 and so on. Other values have no place.
     Names ![Text]
@@ -150,8 +151,8 @@ rulerFor scale values = case scale of
       }
   Steps _ ->
     Ruler
-      { place = \v -> if v >= 0 && finite v then Just (v / end) else Nothing
-      , steps = drop 1 multiples
+      { place = \v -> if v >= 0 && finite v then Just (inset (v / end)) else Nothing
+      , steps = multiples
       , ticks = [(part, multiple k) | (part, k) <- zip multiples [0 :: Int ..]]
       }
   Names names ->
@@ -180,7 +181,8 @@ rulerFor scale values = case scale of
     multiple k
       | k == 0 || power <= 3 = Text.pack (show (k * 10 ^ power))
       | otherwise = Text.pack (show k <> "e" <> show power)
-    multiples = [fromIntegral k / fromIntegral count' | k <- [0 .. count']]
+    multiples = [inset (fromIntegral k / fromIntegral count') | k <- [0 .. count']]
+    inset part = 0.015 + 0.97 * part
 
 -- | A round number: 1, 2 or 5 times a power of ten.
 data Round = Round !Int !Int

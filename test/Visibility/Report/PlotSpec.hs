@@ -39,6 +39,15 @@ spec =
           [Place a _, Place b _, Place c _] ->
             counterexample (show (a, b, c)) (abs ((b - a) * (x + y) - (c - a) * x) < 1e-6)
           places -> counterexample (show places) False
+    it "keeps points clear of the frame where it goes by steps and by names" $
+      forAll (listOf1 ((,) <$> (fromIntegral <$> choose (0, 70 :: Int)) <*> elements [0, 1, 2])) $ \points ->
+        let drawing = plotDrawing (plotOf (Steps "a") (Names ["first", "second", "third"]) [points])
+            shapes = concat [ps | Mark _ _ (Region ps) <- marksIn "points" drawing]
+         in case marksIn "axes" drawing of
+              [Mark _ _ (Polyline [Place left top, Place _ bottom, Place right _])] ->
+                counterexample (show (left, right, bottom, top, shapes)) $
+                  [p | p@(Place x y) <- shapes, not (left < x && x < right && bottom < y && y < top)] === []
+              other -> counterexample (show other) False
     it "puts names in their order from the origin on" $
       case lineOf (Steps "a") (Names ["first", "second", "third"]) [(1, 0), (1, 1), (1, 2), (1, 3), (1, 0.5)] of
         [Place _ a, Place _ b, Place _ c] -> (a < b && b < c, abs ((b - a) - (c - b)) < 1e-6) `shouldBe` (True, True)
