@@ -61,13 +61,14 @@ degenerateText (Degenerate folder found) = case found of
       <> " scenes of `"
       <> folder
       <> "` are small, each with one kind of degeneracy or just beside it: corners in line, verticals, contacts, \
-         \walls. Doubles run in a process of their own, and their graph is compared with the exact one; the other \
-         \arithmetics are compared with brute force in integers, vertex by vertex."
+         \walls. Doubles run in a process of their own, with the same limits, and their graph is compared with the \
+         \exact one; the other arithmetics are compared with brute force in integers, vertex by vertex."
 
 degenerateTable :: Degenerate -> [Table]
 degenerateTable (Degenerate _ found) =
   [ Table
-      "The degenerate scenes: how many of them each arithmetic gets right under each scheduler."
+      "The degenerate scenes: on how many of them each arithmetic is right, wrong or without an answer, under each \
+      \scheduler."
       ["arithmetic", "scheduler", "right", "wrong and nothing noticed", "refused by a law", "no answer otherwise"]
       [ [arithmetic, scheduler] <> map counted [(== Correct), unnoticed, (== NoAnswer Refused), otherwise']
       | way@(arithmetic, scheduler) <- nub (map rowWay rows)

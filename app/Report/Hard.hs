@@ -7,8 +7,9 @@ module Report.Hard
 
 import Control.Monad (forM)
 import Data.Foldable (maximumBy)
-import Data.List (intercalate, sort)
+import Data.List (sort)
 import Data.List.NonEmpty (NonEmpty, nonEmpty)
+import Data.Maybe (mapMaybe)
 import Data.Ord (comparing)
 import qualified Data.Text as Text
 import Report.Closure
@@ -62,16 +63,13 @@ hardSection progress plan folder = do
           [ "Doubles, on "
               <> show (length (doublesOf rows))
               <> " scenes: "
-              <> intercalate "; " [show n <> " " <> word | (word, n) <- outcomes (doublesOf rows)]
-              <> ". In the wrong graphs "
-              <> show (sum [missing | Wrong missing _ <- doublesOf rows])
-              <> " pairs are missing and "
-              <> show (sum [extra | Wrong _ extra <- doublesOf rows])
-              <> " spurious."
-          , "Each scene gets harder with k. Doubles run in a process of their own, with limits of time and memory, \
-            \and their graph is compared with the exact one; filtered, exact and rational arithmetic are compared \
-            \with brute force in integers, pair by pair. The rational baseline computes on lattice integers, with \
-            \denominator 1."
+              <> verdictsText (doublesOf rows)
+          , "Each family gets harder with k; its scene for a k is the file of that name and k in [scenes](scenes). \
+            \Doubles run in a process of their own, `viscomplex graph --arithmetic double`, with at most "
+              <> limitsOf plan
+              <> ", and their graph is compared with the exact one, pair by pair; filtered, exact and rational \
+                 \arithmetic are compared with brute force in integers, vertex by vertex. All sweeps are topological. \
+                 \The rational baseline computes on lattice integers, with denominator 1."
           , "Coordinates of 2^k. Signs are decided on the lattice, whose origin is where the scene begins. Where all \
             \is *moved*, the lattice moves along, so the signs of Doubles stay as they are; but they take distances in \
             \the file's coordinates, so form factors lose a binary digit each time that k grows by 1. Where a triangle \
@@ -80,7 +78,7 @@ hardSection progress plan folder = do
           , "Closure: the form factors of a side must add up to the part of it that nothing covers. For Doubles all is \
             \computed in Doubles, topology, distances and sums, wherever there is a graph; a side is *open* if its sum \
             \is off by more than "
-              <> show tolerance
+              <> sig tolerance
               <> " or is no number. For the other arithmetics closure is decided exactly, on the topology that they \
                  \find, up to "
               <> show (closureLimit plan)
@@ -90,7 +88,8 @@ hardSection progress plan folder = do
           ]
       , sectionTables =
           [ Table
-              "The first k at which an arithmetic is wrong, and what happens there; of how many scenes it is wrong."
+              "The first k at which an arithmetic is wrong or without an answer, what happens there, and on how many \
+              \scenes that is so."
               ( ["scenes", "what k does", "double first wrong at", "what happens", "scenes with a wrong or no answer"]
                   <> map (<> " first wrong at") exactWays
               )
@@ -101,14 +100,17 @@ hardSection progress plan folder = do
               , let doubles = mine "double"
               ]
           , Table
-              ( "Closure, and the signs of the filter, over all scenes of a family. Open for Doubles: off by more than "
-                  <> show tolerance
-                  <> ", of all sides in scenes with a graph; elsewhere: off at all. Signs: how many the filter was \
-                     \asked, and the share that it left to integers; empty where machine integers decide all."
+              ( "Closure, and the signs of the filter, over all scenes of a family. Open sides of Doubles: off by more \
+                \than "
+                  <> sig tolerance
+                  <> ", of all sides in scenes with a graph; the first k with one; and how far the form factors of a \
+                     \side are at most from their sum, which is 1 where nothing is covered. Open sides elsewhere: off \
+                     \at all. Signs: how many the filter was asked, and the share that it left to integers, over the \
+                     \family and in the scene where that is largest; empty where machine integers decide all."
               )
-              ( ["scenes", "double first open at", "open sides", "farthest off"]
+              ( ["scenes", "double first open at", "double open sides", "double farthest off"]
                   <> map (<> " open sides") exactWays
-                  <> ["signs", "left", "most left", "at"]
+                  <> ["signs asked of the filter", "left to integers", "most left to integers", "at k ="]
               )
               [ [ladderName ladder]
                   <> closureOfDoubles (mine "double")
@@ -135,17 +137,6 @@ hardSection progress plan folder = do
     exactWays = [name | (name, Here _) <- ways]
     byWay rows ladder way = [r | r <- rows, rowLadder r == ladderName ladder, rowWay r == way]
     doublesOf rows = [rowVerdict r | r <- rows, rowWay r == "double"]
-    -- All of them, those too that do not occur.
-    outcomes found =
-      [ (kindWord RightKind, amount (== Correct))
-      , (kindWord WrongKind, amount ((== WrongKind) . kindOf))
-      , (failureWord Refused, amount (== NoAnswer Refused))
-      , ("crashed", amount (\verdict -> case verdict of NoAnswer (Crashed _) -> True; _ -> False))
-      , (failureWord OutOfTime, amount (== NoAnswer OutOfTime))
-      , (failureWord OutOfMemory, amount (== NoAnswer OutOfMemory))
-      ]
-      where
-        amount p = length (filter p found)
     dash c = if c == ' ' then '-' else c
     wrong rows = [r | r <- rows, rowVerdict r /= Correct]
     firstWrong rows = case wrong rows of
@@ -190,7 +181,7 @@ openRows rows = [r | r <- rows, Just closure <- [rowClosure r], closureOpen clos
 openShare :: [Row] -> String
 openShare rows = show (sum (map closureOpen found)) <> " of " <> show (sum (map closureSides found))
   where
-    found = [closure | Just closure <- map rowClosure rows]
+    found = mapMaybe rowClosure rows
 
 openText :: [Row] -> String
 openText rows =
@@ -210,13 +201,15 @@ openText rows =
 
 -- | Where closure first breaks, how many sides are open, and how far the farthest is off.
 closureOfDoubles :: [Row] -> [String]
-closureOfDoubles rows =
-  [ case openRows rows of
-      [] -> "never"
-      r : _ -> show (rowStep r)
-  , openShare rows
-  , maybe "no number" (sig . maximum . (0 :)) (sequence [closureWorst closure | Just closure <- map rowClosure rows])
-  ]
+closureOfDoubles rows = case mapMaybe rowClosure rows of
+  [] -> ["no graph", "no graph", "no graph"]
+  found ->
+    [ case openRows rows of
+        [] -> "never"
+        r : _ -> show (rowStep r)
+    , openShare rows
+    , maybe "no number" (sig . maximum . (0 :)) (mapM closureWorst found)
+    ]
 
 -- | As data: all sides, the open ones, and the distance of the farthest sum, where all sums are numbers.
 closureCells :: Maybe Closure -> [String]
@@ -285,10 +278,10 @@ kindIn r = case kindOf (rowVerdict r) of
 
 kindWord :: Kind -> String
 kindWord kind = case kind of
-  RightKind -> "right"
+  RightKind -> verdictWord Correct
   OpenKind -> "right pairs, but form factors that do not add up"
-  WrongKind -> "finished with wrong pairs and noticed nothing"
-  RefusedKind -> "refused by a law"
+  WrongKind -> verdictWord (Wrong 0 0)
+  RefusedKind -> failureWord Refused
   NoneKind -> "crashed, or out of time or memory"
 
 plot :: Plan -> [Row] -> Plot
@@ -325,10 +318,10 @@ caption plan rows =
     <> counted (length (ladders plan)) "family" "families"
     <> " under four arithmetics: a row for each family and arithmetic, a mark for each scene, harder from left to \
        \right. k is the exponent of a gap 2^-k, of a distance or a size 2^k or 2^(16 k), or a number of tiny \
-       \triangles, as the table says. A circle: all visible pairs are right, and form factors add up. A diamond: all pairs are \
-       \right, but the form factors of a side do not add up. A cross: pairs are wrong, and nothing noticed it. A \
-       \triangle: a law of the sweep was broken and noticed. A square: no answer. Doubles are wrong, or without an \
-       \answer, on "
+       \triangles, as the table says. A circle: all visible pairs are right, and form factors add up. A diamond: all \
+       \pairs are right, but the form factors of a side do not add up. A cross: pairs are wrong, and nothing noticed \
+       \it. A triangle: a law of the sweep was broken and noticed. A square: no answer. Doubles are wrong, or without \
+       \an answer, on "
     <> Text.pack (show (length (wrongBy (== "double"))))
     <> " of "
     <> Text.pack (show (length [() | r <- rows, rowWay r == "double"]))

@@ -28,8 +28,8 @@ import System.Process (CreateProcess (..), StdStream (..), proc, terminateProces
 import System.Timeout (timeout)
 import Visibility.Law (Violation)
 
--- | The least processor time of some runs, in seconds, and the result of one; see 'severalTimes'. The argument comes out
--- of a cell, so that no run can share the result of another.
+-- | The least processor time of some runs, in seconds, and the result of one; see 'severalTimes'. The argument comes
+-- out of a cell, so that no run can share the result of another.
 bestTime :: Int -> a -> (a -> b) -> IO (Double, b)
 bestTime count argument work = do
   cell <- newIORef argument
@@ -39,8 +39,8 @@ bestTime count argument work = do
     (_, result) : _ -> pure (minimum (map fst results), result)
     [] -> timed (evaluate (work argument))
 
--- | The results of so many runs; but where that is more than one and they are short, of as many as take half a second, or
--- fifty: the least of a few short ones says little on a machine that has other work.
+-- | The results of so many runs; but where that is more than one and they are short, of as many as take half a second,
+-- or fifty: the least of a few short ones says little on a machine that has other work.
 severalTimes :: Int -> (a -> Double) -> IO a -> IO [a]
 severalTimes count secondsOf action
   | count <= 1 = replicateM 1 action

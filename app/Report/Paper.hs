@@ -12,6 +12,7 @@ module Report.Paper
   , micro
   , timeCell
   , leastOf
+  , limitsOf
   , shareCell
   , signCells
   ) where
@@ -86,8 +87,8 @@ planOf Quick =
     , pointCounts = [1, 4, 16]
     , directionCounts = [10, 100, 1000]
     , hardSteps = [0, 8 .. 64]
-    , partCounts = [2, 4]
-    , referenceParts = 8
+    , partCounts = [2, 4, 8]
+    , referenceParts = 32
     , timeLimit = 5
     , memoryLimit = 500
     }
@@ -126,6 +127,10 @@ leastOf plan
   | runs plan <= 1 = "taken once"
   | otherwise = "the least of " <> show (runs plan) <> " runs, or where they are short of as many as take half a second"
 
+-- | What a child under the unsafe arithmetic is allowed.
+limitsOf :: Plan -> String
+limitsOf plan = show (round (timeLimit plan) :: Int) <> " s and " <> show (memoryLimit plan) <> " MB"
+
 -- | A time, or nothing where none was measured.
 timeCell :: Maybe Double -> String
 timeCell = maybe "" ((<> " s") . sig)
@@ -155,7 +160,8 @@ markdown (Section title texts tables figures files) =
     table (Table caption header rows) =
       ["*" <> caption <> "*", "", row header, row (map (const "---") header)] <> map row rows <> [""]
     row cells = "| " <> intercalate " | " cells <> " |"
-    figure (Figure file plot caption) = ["![" <> Text.unpack (plotTitle plot) <> "](" <> file <> ")", "", "*" <> Text.unpack caption <> "*", ""]
+    figure (Figure file plot caption) =
+      ["![" <> Text.unpack (plotTitle plot) <> "](" <> file <> ")", "", "*" <> Text.unpack caption <> "*", ""]
 
 -- | Rows of cells, none of which holds a comma or a quote.
 csv :: [[String]] -> String

@@ -7,18 +7,19 @@ module Report.Topology
 
 import Control.Monad (forM)
 import Data.List (sort)
+import qualified Data.Text as Text
 import Report.Closure
 import Report.Degenerate
 import Report.Measure
 import Report.Paper
 import Report.Scenes
-import Report.Verdict (differences)
+import Report.Verdict
 import Visibility.Count (Signs (..), countingSigns)
 import Visibility.Draw.Drawing (Style (..))
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Report.Plot
 import Visibility.Scene
-import Visibility.Scene.Family (Family (..))
+import Visibility.Scene.Family (Family (..), familyPurpose)
 import Visibility.Sweep
 
 -- | One arithmetic and scheduler on one scene.
@@ -28,26 +29,27 @@ data Row = Row
   , rowArithmetic :: !String
   , rowScheduler :: !String
   , rowSeconds :: !(Maybe Double)
-  , rowOutcome :: !String
-  , rowMissing, rowSpurious, rowOpen :: !(Maybe Int)
+  , rowVerdict :: !Verdict
+  , rowOpen :: !(Maybe Int)
   , rowSigns :: !(Maybe Signs)
   }
 
 -- | The folder of degenerate scenes comes first, then that of the report.
 topologySection :: FilePath -> (String -> IO ()) -> Plan -> FilePath -> IO Section
 topologySection degenerateFolder progress plan folder = do
-  ladder <- mapM (saved . familyCase folder Random) (ladderSizes plan)
+  ladder <- mapM (sizedCase . (,) Random) (ladderSizes plan)
   others <-
-    mapM (saved . uncurry (familyCase folder)) $
+    mapM sizedCase $
       [(kind, otherSize plan) | kind <- [Grid, Needles, Checkerboard, Terraces, ThinWalls, Comb]]
         <> [(Kettner, k) | k <- [8, 40]]
-  large <-
-    let small = familyCase folder Random (largeSize plan)
-     in saved (rawCase folder (caseName small <> "-times-3^40") (enlarged (3 ^ (40 :: Int)) small))
-  rows <- concat <$> forM (ladder <> [large] <> others) (\found -> do
+  let small = familyCase folder Random (largeSize plan)
+  large <- saved (rawCase folder (caseName small <> "-times-3^40") (enlarged (3 ^ (40 :: Int)) small))
+  let beyond = (large, caseName small <> ", 3^40 times as large: beyond machine integers")
+      sized = ladder <> [beyond] <> others
+  rows <- concat <$> forM sized (\(found, _) -> do
     progress ("topology: " <> caseName found)
     rowsOf plan found)
-  commands <- forM (ladder <> [large]) $ \found -> do
+  commands <- forM (map fst (ladder <> [beyond])) $ \found -> do
     progress ("topology: commands on " <> caseName found)
     times <- forM graphCommands (\arguments -> leastClock plan (arguments <> [caseFile found]))
     pure (found, zip (map unwords graphCommands) times)
@@ -56,44 +58,64 @@ topologySection degenerateFolder progress plan folder = do
     Section
       { sectionTitle = "Topology: arithmetic and scheduler"
       , sectionText =
-          [ "Time is processor time of a sweep in this process, "
+          [ "An *elementary visible pair* is two corners whose open segment is in free space, with no corner on it; a \
+            \sweep gives them all. Time is processor time of a sweep in this process, of a scene that has been read \
+            \and checked, "
               <> leastOf plan
-              <> ", of a scene that has been read and checked, per elementary visible pair. *filtered* is machine integers where they provably fit, else a \
-            \floating-point filter with integers behind it; *exact* is integers of any size; *rational* is \
-            \determinants of rationals, but of those of the lattice, whose denominators are one, not of the file's; \
-            \*double* has no bound and may be wrong. The topological sweep takes vertices in any legal order, the \
-            \straight one by direction; brute force asks every pair of corners from the definition."
-          , "Doubles were first tried in a process of their own, with limits of time and memory: `viscomplex graph \
-            \--arithmetic double`. Only where it came to an end was it timed here. *Missing* and *spurious* count \
-            \vertices against those of the straight sweep in integers. *Open sides* are those whose form factors do \
-            \not add up to what is not covered of them, decided exactly, on the topology found; they are left out \
-            \above "
+              <> ". *filtered* is machine integers where they provably fit, else a floating-point filter with \
+                 \integers behind it; *exact* is integers of any size; *rational* is determinants of rationals, but of \
+                 \those of the lattice, whose denominators are one, not of the file's; *double* has no bound and may \
+                 \be wrong. The topological sweep takes vertices in any legal order, the straight one by direction; \
+                 \brute force asks every pair of corners from the definition, and is left out above "
+              <> show (bruteForceLimit plan)
+              <> " corners, the rationals above "
+              <> show (slowLimit plan)
+              <> "."
+          , "The verdict is on all vertices, the lines through two corners or more, against the straight sweep in \
+            \integers: right, or how many are *missing* and how many *spurious*. Doubles are first tried in a process \
+            \of their own, `viscomplex graph --arithmetic double`, with at most "
+              <> limitsOf plan
+              <> "; only where that comes to an end are they judged and timed here. *Open sides* are those whose form \
+                 \factors do not add up to what is not covered of them, decided exactly, on the topology found; they \
+                 \are left out above "
               <> show (closureLimit plan)
               <> " corners and for brute force."
+          , "Doubles, on "
+              <> show (length sized)
+              <> " scenes under two schedulers each: "
+              <> verdictsText [rowVerdict r | r <- rows, rowArithmetic r == "double"]
           , degenerateText degenerate
           ]
       , sectionTables =
           [ Table
-              "Every arithmetic and scheduler on every scene. Rational: on lattice integers, denominator 1. Signs: \
-              \how many the filter was asked, and the share that it left to integers; empty where machine integers \
-              \decide all."
+              "The scenes, all but the enlarged one as `viscomplex generate FAMILY --size N --seed 1` writes them."
+              ["scene", "corners", "elementary visible pairs", "what it is"]
+              [sizesOf found <> [what] | (found, what) <- sized]
+          , Table
+              "Every arithmetic and scheduler on every scene: processor time in µs per elementary visible pair, the \
+              \verdict on the vertices, and the number of open sides. Signs: how many the filter was asked, and the \
+              \share that it left to integers; it decided the others. Empty where machine integers decide all, and \
+              \counted under the topological sweep only."
               ( words "scene corners pairs arithmetic scheduler"
-                  <> ["µs per pair", "outcome", "missing", "spurious", "open sides", "signs", "left"]
+                  <> ["µs per pair", "verdict", "missing", "spurious", "open sides"]
+                  <> ["signs asked of the filter", "left to integers"]
               )
               (map cellsOf rows)
           , Table
-              ( "Whole commands, from the start of the process to its end, reading and printing included, by the clock, "
+              ( "Whole commands, from the start of the process to its end, reading and printing included, by the \
+                \clock, "
                   <> leastOf plan
-                  <> ": the visible pairs in the order of their names, and as they are swept."
+                  <> ": `graph` prints the visible pairs in the order of their names, `graph --unsorted` as they are \
+                     \swept."
               )
               (["scene", "corners", "pairs"] <> map unwords graphCommands)
               [sizesOf found <> map (timeCell . snd) times | (found, times) <- commands]
           ]
             <> degenerateTable degenerate
-      , sectionFigures = [Figure "topology.svg" (ladderPlot ladder rows) caption]
+      , sectionFigures = [Figure "topology.svg" (ladderPlot (map fst ladder) rows) caption]
       , sectionData =
           [ ( "topology.csv"
-            , words "scene corners pairs arithmetic scheduler us_per_pair outcome missing spurious open_sides"
+            , words "scene corners pairs arithmetic scheduler us_per_pair verdict missing spurious open_sides"
                 <> ["signs", "signs_left"]
                 : map rawCells rows
             )
@@ -105,26 +127,29 @@ topologySection degenerateFolder progress plan folder = do
             <> degenerateData degenerate
       }
   where
+    sizedCase (kind, n) = do
+      found <- saved (familyCase folder kind n)
+      pure (found, Text.unpack (familyPurpose kind) <> "; N = " <> show n)
     graphCommands = [["graph"], ["graph", "--unsorted"]]
-    sizesOf found = [caseName found, show (cornerCount (caseScene found)), show (pairsSwept (finish (caseScene found)))]
+    sizesOf found =
+      [caseName found, show (cornerCount (caseScene found)), show (pairsSwept (finish (caseScene found)))]
     caption =
-      "Random quadrilaterals: processor time per elementary visible pair against the number of corners, for each \
-      \arithmetic under the topological sweep, and for the straight sweep in filtered arithmetic and brute force in \
-      \integers. Lower is better; a level line is time in proportion to the output. The rational baseline computes on \
-      \lattice integers, with denominator 1."
+      "Random quadrilaterals: processor time in µs per elementary visible pair against the number of corners, both \
+      \logarithmic, for each arithmetic under the topological sweep, and for the straight sweep in filtered arithmetic \
+      \and brute force in integers. Lower is better; a level line is time in proportion to the output. The rational \
+      \baseline computes on lattice integers, with denominator 1."
 
 rowsOf :: Plan -> Case -> IO [Row]
 rowsOf plan found = do
   let truth = sort (straightVertices (underArithmetic Exact scene))
       pairs = pairsSwept (finish scene)
       row arithmetic scheduler = Row found pairs arithmetic scheduler
-      compared list = (Just missing, Just extra) where (missing, extra) = differences truth list
       safe name arithmetic scheduler = do
         let under = underArithmetic arithmetic scene
         (t, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
-        let (missing, extra) = compared (verticesBy scheduler under)
-            open = if small (closureLimit plan) then Just (closureOpen (closureExactly scheduler under)) else Nothing
-        pure (row name (schedulerWord scheduler) (Just t) "finished" missing extra open Nothing)
+        verdict <- vertexVerdict truth (verticesBy scheduler under)
+        let open = if small (closureLimit plan) then Just (closureOpen (closureExactly scheduler under)) else Nothing
+        pure (row name (schedulerWord scheduler) (Just t) verdict open Nothing)
   (_, signs) <- countingSigns scene (\watched -> pure $! length (vertices watched))
   filtered <- mapM (safe "filtered" Filtered) [Topological, Straight]
   exact <- mapM (safe "exact" Exact) [Topological, Straight]
@@ -133,8 +158,8 @@ rowsOf plan found = do
     if small (bruteForceLimit plan)
       then do
         (t, list) <- bestTime 1 scene bruteForce
-        let (missing, extra) = compared list
-        pure [row "integers" "brute force" (Just t) "finished" missing extra Nothing Nothing]
+        verdict <- vertexVerdict truth list
+        pure [row "integers" "brute force" (Just t) verdict Nothing Nothing]
       else pure []
   unsafe <- mapM (unsafeRow plan found pairs truth) [Topological, Straight]
   pure ([r {rowSigns = signs} | r <- take 1 filtered] <> drop 1 filtered <> exact <> rational <> unsafe <> brute)
@@ -150,36 +175,35 @@ schedulerWord Straight = "straight"
 unsafeRow :: Plan -> Case -> Int -> [Vertex] -> Scheduler -> IO Row
 unsafeRow plan found pairs truth scheduler = do
   outcome <- runContained plan ["graph", "--arithmetic", "double", "--scheduler", word, caseFile found]
-  case outcome of
-    Failed failure -> pure (without failure)
-    Finished _ _ -> do
-      swept <- ended (length (verticesBy scheduler under))
-      case swept of
-        Nothing -> pure (without Refused)
-        Just _ -> do
-          (seconds, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
-          let (missing, extra) = differences truth (verticesBy scheduler under)
-          open <- if closes then ended (closureOpen (closureExactly scheduler under)) else pure Nothing
-          pure (row (Just seconds) "finished" (Just missing) (Just extra) open Nothing)
+  verdict <- case outcome of
+    Failed failure -> pure (NoAnswer failure)
+    Finished _ _ -> vertexVerdict truth (verticesBy scheduler under)
+  case verdict of
+    NoAnswer _ -> pure (row Nothing verdict Nothing Nothing)
+    _ -> do
+      (seconds, _) <- bestTime (runs plan) under (length . verticesBy scheduler)
+      open <- if closes then ended (closureOpen (closureExactly scheduler under)) else pure Nothing
+      pure (row (Just seconds) verdict open Nothing)
   where
     under = underArithmetic UnsafeDouble (caseScene found)
     closes = cornerCount under <= closureLimit plan
     word = schedulerWord scheduler
     row = Row found pairs "double" word
-    without failure = row Nothing (failureWord failure) Nothing Nothing Nothing Nothing
 
 cellsOf, rawCells :: Row -> [String]
 cellsOf row =
   opening row
-    <> [maybe "" (micro . (/ fromIntegral (rowPairs row))) (rowSeconds row), rowOutcome row]
-    <> map (maybe "" show) [rowMissing row, rowSpurious row, rowOpen row]
+    <> [maybe "" (micro . (/ fromIntegral (rowPairs row))) (rowSeconds row)]
+    <> verdictCells (rowVerdict row)
+    <> [maybe "" show (rowOpen row)]
     <> case rowSigns row of
       Just signs -> [show (signsDecided signs), shareCell signs]
       Nothing -> ["", ""]
 rawCells row =
   opening row
-    <> [maybe "" (show . (* 1e6) . (/ fromIntegral (rowPairs row))) (rowSeconds row), rowOutcome row]
-    <> map (maybe "" show) [rowMissing row, rowSpurious row, rowOpen row]
+    <> [maybe "" (show . (* 1e6) . (/ fromIntegral (rowPairs row))) (rowSeconds row)]
+    <> verdictCells (rowVerdict row)
+    <> [maybe "" show (rowOpen row)]
     <> signCells (rowSigns row)
 
 opening :: Row -> [String]

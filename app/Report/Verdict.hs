@@ -3,13 +3,14 @@ module Report.Verdict
   ( Verdict (..)
   , verdictWord
   , verdictCells
+  , verdictsText
   , vertexVerdict
   , unsafeVerdict
   , differences
   ) where
 
 import qualified Data.ByteString.Char8 as Bytes
-import Data.List (sort)
+import Data.List (intercalate, sort)
 import qualified Data.Set as Set
 import Report.Measure
 import Report.Paper (Plan (..))
@@ -36,6 +37,26 @@ verdictCells verdict =
     Correct -> ["0", "0"]
     Wrong missing extra -> [show missing, show extra]
     NoAnswer _ -> ["", ""]
+
+-- | How many there are of each kind, those too that do not occur; and what is wrong in the wrong ones.
+verdictsText :: [Verdict] -> String
+verdictsText verdicts =
+  intercalate "; " [show (amount p) <> " " <> word | (word, p) <- kinds]
+    <> ". In the wrong ones "
+    <> show (sum [missing | Wrong missing _ <- verdicts])
+    <> " pairs are missing and "
+    <> show (sum [extra | Wrong _ extra <- verdicts])
+    <> " spurious."
+  where
+    amount p = length (filter p verdicts)
+    kinds =
+      [ (verdictWord Correct, (== Correct))
+      , (verdictWord (Wrong 0 0), \verdict -> case verdict of Wrong _ _ -> True; _ -> False)
+      , (failureWord Refused, (== NoAnswer Refused))
+      , ("crashed", \verdict -> case verdict of NoAnswer (Crashed _) -> True; _ -> False)
+      , (failureWord OutOfTime, (== NoAnswer OutOfTime))
+      , (failureWord OutOfMemory, (== NoAnswer OutOfMemory))
+      ]
 
 -- | The verdict on items in any order, given the right ones in order; they may break a law when they are asked for.
 vertexVerdict :: Ord a => [a] -> [a] -> IO Verdict
