@@ -7,6 +7,7 @@ module Report.Cancellation
 
 import Control.Monad (forM)
 import Data.List (isPrefixOf)
+import Data.String (IsString)
 import qualified Data.Text as Text
 import Report.Factors (Method (..), looks, methods)
 import Report.Measure (ended)
@@ -24,7 +25,7 @@ data Row = Row !String !Int !String !Double !Double
 
 cancellationSection :: (String -> IO ()) -> Plan -> FilePath -> IO Section
 cancellationSection progress plan folder = do
-  rows <- fmap concat . forM [(free, blocked) | free <- ["free", "occluded"], blocked <- [0 .. 12]] $ \(kind, k) -> do
+  rows <- fmap concat . forM [(kind, k) | kind <- ["free", "occluded"], k <- [0 .. 12]] $ \(kind, k) -> do
     progress ("cancellation: " <> kind <> ", 1e" <> show k)
     found <- saved (rawCase folder (kind <> "-1e" <> show k) (facing kind k))
     let scene = caseScene found
@@ -38,7 +39,8 @@ cancellationSection progress plan folder = do
     concat
       <$> forM chosen (\m -> do
         matrix <- ended (methodMatrix m scene)
-        pure [Row kind k (named m) x (errorOf truth made place) | Just made <- [matrix], (place, x) <- take 1 entry])
+        pure
+          [Row kind k (named m) x (errorOf truth made place) | Just made <- [matrix], (place, x) <- take 1 entry])
   pure
     Section
       { sectionTitle = "Cancellation: two unit sides move apart"
@@ -48,12 +50,15 @@ cancellationSection progress plan folder = do
             \case a third wall, at a third of the way and 2/7 high, hides some of it. The exact sums are rounded \
             \correctly at every distance, and so are the nearest Doubles, which take two Doubles or, where those do \
             \not suffice, the roots themselves."
+          , "The methods are those of the form factors above; a number behind a name is its parameter, the largest \
+            \there: points on each side, directions, lines."
           ]
       , sectionTables =
           [ Table
               ( "Relative error of the form factor between the two walls, "
                   <> kind
-                  <> ". An error of 1 means that the method found nothing."
+                  <> ", at each distance in lengths of a wall. "
+                  <> ofOne
               )
               ("distance" : "form factor" : map named chosen)
               [ ("1e" <> show k)
@@ -72,7 +77,7 @@ cancellationSection progress plan folder = do
       , sectionData =
           [ ( "cancellation.csv"
             , ["case", "log10_distance", "method", "form_factor", "relative_error"]
-                : [[kind, show k, filter (/= ',') m, show x, show e] | Row kind k m x e <- rows]
+                : [[kind, show k, m, show x, show e] | Row kind k m x e <- rows]
             )
           ]
       }
@@ -87,13 +92,22 @@ cancellationSection progress plan folder = do
         <> Text.pack kind
         <> ": relative error of the form factor between them against the distance, both logarithmic, one line for each \
            \method. Where lines lie on each other, the last in the legend is on top: all Double on the string rule in \
-           \Double, the proved results on the exact ones. The plain string rule in Doubles loses two digits with each \
-           \decade of distance until nothing is right; the exact and the proved results stay at the rounding of a \
-           \Double. "
+           \Double, the proved results on the exact ones, random lines on all that find nothing. The plain string rule \
+           \in Doubles loses two digits with each decade of distance until nothing is right; the exact and the proved \
+           \results stay at the rounding of a Double. "
         <> compensated kind
-        <> " An error of 1 means that the method found nothing; an error of 0 is not drawn."
+        <> " Directions and lines meet the far wall more and more seldom, and then never; "
+        <> integral kind
+        <> " "
+        <> ofOne
+        <> " An error of 0 is not drawn."
+    ofOne :: IsString a => a
+    ofOne = "An error of 1 means that the method found nothing."
+    integral kind
+      | kind == "free" = "points see all of it, and from far away each sees nearly the same, so their sum gets better."
+      | otherwise = "points see the edge of the shadow, which falls between them at any distance."
     compensated kind
-      | kind == "free" = "So do the compensated ones: here all corners are Doubles."
+      | kind == "free" = "So do the compensated ones, which lie on top of both: here all corners are Doubles."
       | otherwise =
           "The compensated ones do not: the corners of the third wall are no Doubles, and compensation does not bring \
           \back what is lost by rounding them."

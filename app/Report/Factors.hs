@@ -41,10 +41,10 @@ methods :: Plan -> [Method]
 methods plan =
   [ Method "exact string rule" Nothing $ \s ->
       fromFactors s [(factorFrom f, factorTo f, nearestDouble (factorValue f)) | f <- formFactors s (measuresIn s)]
-  , Method "nearest Doubles, proved" Nothing $ \s ->
+  , Method "nearest Doubles (proved)" Nothing $ \s ->
       fromFactors s [(from, to, x) | FactorRow from found _ <- nearestFactors s (measuresIn s), (to, x) <- found]
-  , Method "string rule in Double, exact topology" Nothing (\s -> plainStrings s (verticesInPieces s))
-  , Method "compensated Double, exact topology" Nothing (\s -> compensatedStrings s (verticesInPieces s))
+  , Method "string rule in Double on the exact topology" Nothing (\s -> plainStrings s (verticesInPieces s))
+  , Method "compensated Double on the exact topology" Nothing (\s -> compensatedStrings s (verticesInPieces s))
   , Method "all Double" Nothing $ \s ->
       let under = underArithmetic UnsafeDouble s in plainStrings under (verticesInPieces under)
   ]
@@ -77,17 +77,26 @@ factorsSection progress plan folder = do
     Section
       { sectionTitle = "Form factors: time against error"
       , sectionText =
-          [ "Time is processor time in this process from a scene that has been read and checked to the whole matrix: \
-            \sweep, sums and rounding included. Errors are taken over all form factors that are not zero, against the \
-            \exact sums of roots, rounded to two Doubles; one that a method misses has the relative error 1. A form \
-            \factor seen through a narrow gap is tiny, so the largest relative error is a hard measure; the median \
-            \says how most of them fare. A correctly rounded Double has a relative error of up to 1.1e-16, which is \
-            \where the exact methods end: their sums are exact, and print to any number of digits."
-          , "*String rule in Double* and *compensated Double* add distances along the exact sweep; *all Double* also \
-            \sweeps in Doubles; *double integral* takes what points in the middles of equal parts of each side see, \
-            \their number being its parameter (up to 40000 points in all); *area in the dual* samples so many \
-            \directions, and adds in each the widths between neighbouring corners: it does not use the faces of the \
-            \complex, whose areas the string rule has in closed form; *random lines* takes so many lines."
+          [ "The form factor of a side and a thing that it sees is the part of the light from the side, spread by \
+            \Lambert's law, that reaches the thing: another side, or the sky. The *string rule* gives it as a signed \
+            \sum of distances between corners that see each other, divided by twice the length of the side."
+          , "Time is processor time in this process from a scene that has been read and checked to the whole matrix, \
+            \sweep, sums and rounding included: "
+              <> leastOf plan
+              <> (if runs plan > 1 then "; with a parameter, taken once" else "")
+              <> ". Errors are taken over all form factors that are not zero, against the exact sums of roots, rounded to two Doubles; one that a method misses has the \
+                 \relative error 1. A form factor seen through a narrow gap is tiny, so the largest relative error is \
+                 \a hard measure; the median says how most of them fare. A correctly rounded Double has a relative \
+                 \error of up to 1.1e-16, which is where the exact methods end: their sums are exact, and print to \
+                 \any number of digits."
+          , "*Exact string rule* makes exact sums of roots, and rounds them; *nearest Doubles (proved)* makes sums in \
+            \two Doubles with a proved bound, and in roots only where that leaves a doubt. *String rule in Double* \
+            \and *compensated Double* add distances between the Doubles nearest to the corners, along the exact sweep, \
+            \the former in one Double, the latter in two, without a bound; *all Double* is the former, but also sweeps \
+            \in Doubles. *Double integral* takes what points in the middles of equal parts of each side see, their \
+            \number being its parameter (up to 40000 points in all); *area in the dual* samples so many directions, \
+            \and adds in each the widths between neighbouring corners: it does not use the faces of the complex, \
+            \whose areas the string rule has in closed form; *random lines* takes so many lines, from seed 1."
           , "For orientation, two figures of approximate programs, from elsewhere and not measured here: on a scene \
             \of 30 quadrilaterals with 119 sides, 0.01 s for a largest error of 3e-4, and 0.46 s for one of 1e-9. It \
             \is another machine and another scene than random-30, and not said whether errors are relative. They have \
@@ -96,16 +105,20 @@ factorsSection progress plan folder = do
             <> concat (take 1 (map aimText whole))
       , sectionTables =
           [ Table
-              "All methods. Rows that say elsewhere are for orientation and not measured here: another machine, \
+              "All methods: processor time in seconds; the largest and the median relative error and the largest \
+              \absolute error of a form factor that is not zero; and how many are spurious, not zero where they \
+              \should be. Rows that say elsewhere are for orientation and not measured here: another machine, \
               \another scene; whether their largest error is relative is not known."
               ( ["scene", "method", "parameter", "seconds"]
                   <> ["largest relative error", "median relative error", "largest absolute error", "spurious"]
               )
               (concat [map (cellsOf sig) (casesRows rows c) <> orientation c | c <- cases])
           , Table
-              ( "Whole commands, from the start of the process to its end, reading and printing included, by the clock, "
+              ( "Whole commands, from the start of the process to its end, reading and printing included, by the \
+                \clock, "
                   <> leastOf plan
-                  <> ": 17 digits of each form factor, and the nearest Doubles."
+                  <> ": `factors` prints 17 correct digits of each form factor, `factors --double` the nearest \
+                     \Doubles."
               )
               ("scene" : map unwords factorCommands)
               [name : map (timeCell . snd) times | (name, times) <- whole]
@@ -115,18 +128,18 @@ factorsSection progress plan folder = do
             [ [ Figure
                   (caseName c <> "-largest.svg")
                   (plot c "largest relative error" largestRelative (elsewhereSeries c) rows)
-                  (caption c "largest" <> fewHits <> orientationCaption c)
+                  (caption rows c "largest" <> fewHits <> orientationCaption c)
               , Figure
                   (caseName c <> "-median.svg")
                   (plot c "median relative error" medianRelative [] rows)
-                  (caption c "median")
+                  (caption rows c "median")
               ]
             | c <- cases
             ]
       , sectionData =
           [ ( "factors.csv"
             , words "scene method parameter seconds largest_relative median_relative largest_absolute spurious"
-                : map (map (filter (/= ',')) . cellsOf show) rows
+                : map (cellsOf show) rows
             )
           , ( "factors-commands.csv"
             , words "scene command seconds"
@@ -186,15 +199,26 @@ factorsSection progress plan folder = do
           " The stars are for orientation only and not measured here: approximate programs, timed elsewhere on \
           \another machine, on a scene of 30 quadrilaterals with 119 sides; if their errors are absolute, the \
           \relative ones are larger than drawn."
-    caption c which =
+    parametersOf found =
+      [ (name, counts)
+      | name <- map fst looks
+      , let counts = [k | Row _ m _ _ <- found, methodName m == name, Just k <- [methodParameter m]]
+      , not (null counts)
+      ]
+    caption rows c which =
       "Form factors of "
         <> Text.pack (caseName c)
         <> ": the "
         <> which
         <> " relative error over all form factors that are not zero, against processor time in seconds, both \
-           \logarithmic. The points of one line are one method with growing parameter; below and to the left is \
-           \better. The exact and the proved results lie at the rounding of a Double, 1.1e-16, which no sampling \
-           \comes near; an error of 0 is not drawn."
+           \logarithmic. The points of one line are one method with growing parameter ("
+        <> Text.intercalate
+          "; "
+          [ Text.pack (name <> " of " <> intercalate ", " (map show counts))
+          | (name, counts) <- parametersOf (casesRows rows c)
+          ]
+        <> "); below and to the left is better. The exact and the proved results lie at the rounding of a Double, \
+           \1.1e-16, which no sampling comes near; an error of 0 is not drawn."
 
 casesRows :: [Row] -> Case -> [Row]
 casesRows rows c = [row | row@(Row c' _ _ _) <- rows, caseName c' == caseName c]
@@ -222,9 +246,9 @@ plot c title part others rows =
 looks :: [(String, (Style, Marker))]
 looks =
   [ ("exact string rule", (Series1, Circle))
-  , ("nearest Doubles, proved", (Series2, Square))
-  , ("string rule in Double, exact topology", (Series4, Triangle))
-  , ("compensated Double, exact topology", (Series6, Wedge))
+  , ("nearest Doubles (proved)", (Series2, Square))
+  , ("string rule in Double on the exact topology", (Series4, Triangle))
+  , ("compensated Double on the exact topology", (Series6, Wedge))
   , ("all Double", (Series7, Plus))
   , ("double integral", (Series5, Diamond))
   , ("area in the dual", (Series8, Bar))

@@ -30,8 +30,8 @@ import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Sweep
 
--- | A room with a pier and two obstacles under a lamp; two round objects before a round lamp in a room; four rooms with
--- doors between them, one with a lamp and one with a window.
+-- | A room with a pier and two obstacles under a lamp; two round objects before a round lamp in a room; three rooms
+-- with doors between them, one with a lamp and one with a window.
 litScenes :: FilePath -> [Case]
 litScenes folder =
   [ lit "room" (ring 0.7 [(0, 0), (12, 0), (12, 8), (7, 8), (7, 6), (5, 6), (5, 8), (0, 8)]) $
@@ -88,7 +88,7 @@ wayName way = case way of
   WholeSides -> "no mesh"
   EqualPartsOf _ -> "uniform"
   WhereShadowsEnd -> "shadow limits"
-  AtMost _ -> "discontinuity mesh, bounded"
+  AtMost _ -> "bounded discontinuity mesh"
   AllBreaks -> "discontinuity mesh"
   BreaksAndParts _ -> "discontinuity and uniform"
 
@@ -160,9 +160,9 @@ data Distance = Distance
   , largestDistance :: !Double
   }
 
--- | The distance of radiosities from a reference, which comes first. It is integrated over what elements of both have in
--- common; where these begin and end is exact. What is covered of a side belongs to no element of the reference, so it
--- does not count.
+-- | The distance of radiosities from a reference, which comes first. It is integrated over what elements of both have
+-- in common; where these begin and end is exact. What is covered of a side belongs to no element of the reference, so
+-- it does not count.
 --
 -- /Requires/ that the reference has no covered elements, as on a mesh.
 distanceFrom :: Scene -> Shine -> Shine -> Distance

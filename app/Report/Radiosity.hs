@@ -62,9 +62,9 @@ radiositySection progress plan folder = do
             \are lit: *room*, with a pier, two obstacles and a small lamp; *round*, two round objects of twelve \
             \corners before a round lamp in a room; *flat*, three rooms with doors between them, one with a lamp and \
             \one with a window. *No mesh* has whole sides as elements; *uniform* cuts each side, long or short, into \
-            \so many equal parts; the *discontinuity mesh* cuts where the lines of all vertices land, *bounded* to so \
-            \many elements on a side, kinks dropped first; *shadow limits* only where shadows end; *discontinuity and \
-            \uniform* cuts at the points of both."
+            \so many equal parts; the *discontinuity mesh* cuts where the lines of all vertices land; *bounded*, it \
+            \has at most so many elements on a side, kinks dropped first; *shadow limits* cuts only where shadows end; \
+            \*discontinuity and uniform* at the points of both."
           , "The reference is a mesh of all break points and "
               <> show (referenceParts plan)
               <> " equal parts of each side, which contains all the other meshes. The error is |B − B_ref| along all \
@@ -77,11 +77,16 @@ radiositySection progress plan folder = do
             \sweep of the elements, form factors as nearest Doubles, and the solution; "
               <> leastOf plan
               <> "."
-          , "By what factor the mean error of a uniform mesh of as many elements as the discontinuity mesh, all of it, \
-            \is larger than that of the latter, and by what factor that of a uniform mesh in as much time: "
+          , "The mean error of a uniform mesh, as a multiple of that of the discontinuity mesh with all its points: "
               <> intercalate
                 "; "
-                [ rowCase r <> " " <> factor byElements rows r <> " and " <> factor rowSeconds rows r
+                [ "on "
+                    <> rowCase r
+                    <> " "
+                    <> factor byElements rows r
+                    <> " with as many elements and "
+                    <> factor rowSeconds rows r
+                    <> " in as much time"
                 | r <- rows
                 , rowWay r == AllBreaks
                 ]
@@ -89,16 +94,17 @@ radiositySection progress plan folder = do
           ]
       , sectionTables =
           [ Table
-              "The references: their bounds, as parts of the largest radiosity, and how far the same with half as many \
-              \parts is from them."
+              "The references: sides of the scene, elements, the widest proved bounds of a radiosity as a part of the \
+              \largest radiosity, and the error, mean and largest, of the same mesh with half as many parts."
               ["scene", "sides", "elements", "bounds within", "mean error of half", "largest error of half"]
               (map (referenceCells sig) references)
           , Table
-              "All meshes. The last two columns: by what factor the mean error of a uniform mesh of as many elements, \
-              \or in as much time, is larger, between uniform meshes by logarithms; below 1 the uniform mesh is \
-              \better. Empty where no two uniform meshes are around it."
+              "All meshes: the parameter is the number of parts, or the most elements, of a side; processor time in \
+              \seconds; errors as parts of the mean radiosity. The last two columns: the mean error of a uniform mesh \
+              \of as many elements, or in as much time, as a multiple of that of the mesh, between uniform meshes by \
+              \logarithms; below 1 the uniform mesh is better. Empty where no two uniform meshes are around it."
               ( ["scene", "mesh", "parameter", "elements", "seconds", "mean error", "largest error"]
-                  <> ["uniform by elements", "uniform by time"]
+                  <> ["uniform with as many elements", "uniform in as much time"]
               )
               [ cellsOf sig r <> [maybe "" sig (against by rows r) | by <- [byElements, rowSeconds]]
               | r <- rows
@@ -121,7 +127,7 @@ radiositySection progress plan folder = do
       , sectionData =
           [ ( "radiosity.csv"
             , words "scene mesh parameter elements seconds mean_error largest_error"
-                : map (map (filter (/= ',')) . cellsOf show) rows
+                : map (cellsOf show) rows
             )
           , ( "radiosity-references.csv"
             , words "scene sides elements bounds half_mean_error half_largest_error"
@@ -140,7 +146,7 @@ radiositySection progress plan folder = do
         <> map shown [referenceBounds r, meanDistance (referenceHalf r), largestDistance (referenceHalf r)]
     sideCount = show . length . statedSides . caseScene
     byElements = fromIntegral . rowElements
-    factor by rows = maybe "not measured" sig . against by rows
+    factor by rows = maybe "not measured (no uniform mesh of this run is as large)" sig . against by rows
     caption r which =
       "Radiosity of the scene "
         <> Text.pack (caseName (referenceCase r))
@@ -192,8 +198,8 @@ plot c across cost rows =
         [ series "no mesh: whole sides" Series7 Star ["no mesh"]
         , series "uniform" Series2 Square ["uniform"]
         , series "shadow limits" Series5 Plus ["shadow limits"]
-        , series "discontinuity mesh, bounded, up to all of it" Series1 Circle
-            ["discontinuity mesh, bounded", "discontinuity mesh"]
+        , series "bounded discontinuity mesh, up to all of it" Series1 Circle
+            ["bounded discontinuity mesh", "discontinuity mesh"]
         , series "discontinuity and uniform" Series3 Cross ["discontinuity and uniform"]
         ]
     }
