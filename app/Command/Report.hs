@@ -4,6 +4,7 @@ module Command.Report
   ) where
 
 import Control.Monad (forM_)
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, isPrefixOf)
 import qualified Data.Text as Text
@@ -13,6 +14,7 @@ import Options.Report
 import Report.Cancellation
 import Report.Factors
 import Report.Hard
+import Report.Measure (Outcome (..), runChild)
 import Report.Paper
 import Report.Radiosity
 import Report.Topology
@@ -40,30 +42,43 @@ runReport options = orComplain folder $ do
     sequence
       [ section progress plan folder
       | section <-
-          [topologySection (reportDegenerate options), factorsSection, cancellationSection, hardSection, radiositySection]
+          [ topologySection (reportDegenerate options)
+          , factorsSection
+          , cancellationSection
+          , hardSection
+          , radiositySection
+          ]
       ]
   finished <- getMonotonicTime
   progress ""
   machine <- described
+  version <- versionOf plan
   forM_ sections $ \section -> do
     forM_ (sectionData section) $ \(name, rows) -> writeFile (folder </> name) (csv rows)
     forM_ (sectionFigures section) $ \(Figure name plot _) ->
       Lazy.writeFile (folder </> name) (renderSvg (plotDrawing plot))
-  writeFile (folder </> "report.md") (unlines (heading machine (finished - begun)) <> concatMap markdown sections)
+  writeFile
+    (folder </> "report.md")
+    (unlines (heading version machine (finished - begun)) <> concatMap markdown sections)
   putStrLn (folder </> "report.md")
   where
     folder = reportFolder options
     plan = planOf (reportThoroughness options)
-    heading machine seconds =
+    heading version machine seconds =
       [ "# Speed against error"
       , ""
       , "Written by `viscomplex report"
           <> (if reportThoroughness options == Quick then " --quick" else "")
-          <> "` in "
+          <> "`, "
+          <> version
+          <> ", in "
           <> sig seconds
           <> " s. All figures here were measured in that run, but for two that say they are from elsewhere, on "
           <> machine
-          <> "; the report uses one processor. The scenes are in [scenes](scenes), so that each can be measured again."
+          <> "; the report uses one processor. Each scene is a file in [scenes](scenes), so that it can be measured \
+             \again, by this program or by another; but for the degenerate ones, which are the project's. Below each \
+             \section are its figures as CSV, with all digits; a cell is empty there and in the tables where nothing \
+             \was measured or there is nothing to tell."
       , ""
       ]
 
@@ -75,4 +90,13 @@ described = do
   let models = [line | line <- either (const []) lines cpu, "model name" `isPrefixOf` line]
       model = take 1 (map (drop 2 . dropWhile (/= ':')) models)
       compiler = compilerName <> " " <> showVersion compilerVersion
-  pure (intercalate ", " (model <> [Text.unpack (counted count "processor" "processors"), os <> " on " <> arch, compiler]))
+      processors = Text.unpack (counted count "processor" "processors")
+  pure (intercalate ", " (model <> [processors, os <> " on " <> arch, compiler]))
+
+-- | The name and version of this program, as it says itself.
+versionOf :: Plan -> IO String
+versionOf plan = do
+  outcome <- runChild (timeLimit plan) ["--version"]
+  pure $ case outcome of
+    Finished _ text -> concat (take 1 (lines (Bytes.unpack text)))
+    Failed _ -> "viscomplex"
