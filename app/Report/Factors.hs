@@ -84,11 +84,11 @@ factorsSection progress plan folder = do
             \sweep, sums and rounding included: "
               <> leastOf plan
               <> (if runs plan > 1 then "; with a parameter, taken once" else "")
-              <> ". Errors are taken over all form factors that are not zero, against the exact sums of roots, rounded to two Doubles; one that a method misses has the \
-                 \relative error 1. A form factor seen through a narrow gap is tiny, so the largest relative error is \
-                 \a hard measure; the median says how most of them fare. A correctly rounded Double has a relative \
-                 \error of up to 1.1e-16, which is where the exact methods end: their sums are exact, and print to \
-                 \any number of digits."
+              <> ". Errors are taken over all form factors that are not zero, against the exact sums of roots, rounded \
+                 \to two Doubles; one that a method misses has the relative error 1. A form factor seen through a \
+                 \narrow gap is tiny, so the largest relative error is a hard measure; the median says how most of \
+                 \them fare. A correctly rounded Double has a relative error of up to 1.1e-16, which is where the \
+                 \exact methods end: their sums are exact, and print to any number of digits."
           , "*Exact string rule* makes exact sums of roots, and rounds them; *nearest Doubles (proved)* makes sums in \
             \two Doubles with a proved bound, and in roots only where that leaves a doubt. *String rule in Double* \
             \and *compensated Double* add distances between the Doubles nearest to the corners, along the exact sweep, \

@@ -144,8 +144,3 @@ spec = do
     unnumbered text = case break (== '#') text of
       (start, '#' : '0' : rest) -> start <> unnumbered rest
       (start, rest) -> start <> rest
-
-cells :: String -> [String]
-cells line = case break (== ',') line of
-  (cell, _ : rest) -> cell : cells rest
-  (cell, []) -> [cell]

@@ -4,6 +4,7 @@ module Command.Run
   , executable
   , output
   , refuses
+  , cells
   ) where
 
 import Data.Foldable (for_)
@@ -37,3 +38,9 @@ refuses wanted phrases arguments input = do
   (code, out, err) <- run arguments input
   (code, out) `shouldBe` (wanted, "")
   for_ phrases $ \phrase -> err `shouldSatisfy` isInfixOf phrase
+
+-- | The cells of a line of CSV, none of which holds a comma or a quote.
+cells :: String -> [String]
+cells line = case break (== ',') line of
+  (cell, _ : rest) -> cell : cells rest
+  (cell, []) -> [cell]
