@@ -91,9 +91,9 @@ mostGiven =
     ( long "max-elements"
         <> metavar "N"
         <> help
-          "At most N elements on each side, but one for each part that nothing covers: drops break points, kinks first, \
-          \then those whose elements are short; those of both faces of a thin wall count on each. The JSON lists what \
-          \was dropped."
+          "At most N elements on each side, but one for each part that nothing covers: drops break points, kinks \
+          \first, then those whose elements are short; those of both faces of a thin wall count on each. The JSON \
+          \lists what was dropped."
     )
 
 breaksNamed :: String -> Either String Breaks

@@ -53,8 +53,10 @@ spec = do
             ends = [Text.pack (cornerText (cornerName scene c)) | c <- corners scene, isWallEnd scene c]
         sort (concatMap Text.words (labelsOf (sceneDrawing scene found))) `shouldBe` names
         sort (concatMap Text.words (labelsOf (dualDrawing scene (events scene found))))
-          `shouldBe` sort [Text.pack (cornerText c) | g <- placeGroups scene, c <- concatMap (namesHere scene) (take 1 g)]
-        filter (`elem` ends) (map markName (marksIn (Text.pack "flat-corners") (sceneDrawing scene found))) `shouldBe` []
+          `shouldBe` sort
+            [Text.pack (cornerText c) | g <- placeGroups scene, c <- concatMap (namesHere scene) (take 1 g)]
+        filter (`elem` ends) (map markName (marksIn (Text.pack "flat-corners") (sceneDrawing scene found)))
+          `shouldBe` []
   forM_ refusals $ \(Refusal name rule wanted) ->
     it (name <> ": " <> rule) $ do
       result <- readSceneFile (folder </> "refused" </> name <.> "json")

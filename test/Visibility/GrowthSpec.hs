@@ -1,6 +1,6 @@
--- | What work costs, told without a clock: the bytes that are allocated for each part of a result, on a scene and on one
--- with four times as many polygons. They are the same in every run, however busy the machine is. What is done over and
--- over allocates: a table made for each sum instead of once, a list gone through for each element.
+-- | What work costs, told without a clock: the bytes that are allocated for each part of a result, on a scene and on
+-- one with four times as many polygons. They are the same in every run, however busy the machine is. What is done over
+-- and over allocates: a table made for each sum instead of once, a list gone through for each element.
 --
 -- Bounded is by what factor they grow, not how many they are, so that the same holds at every level of optimisation.
 -- The bound leaves room for the logarithm where one is due: corners grow from about 2⁵ to 2⁷.

@@ -52,9 +52,10 @@ landedByRays scene = Map.union found (Map.fromList [(side, []) | side <- statedS
     byPlace =
       Map.fromListWith
         Set.union
-        [ ((sideName scene s, positionOn scene (sideName scene s) point, point), Set.singleton (castOf scene (`at` besides) pair))
+        [ ((name, positionOn scene name point, point), Set.singleton (castOf scene (`at` besides) pair))
         | pair <- Set.toList seen
         , Just (s, point) <- [lengthened scene pair]
+        , let name = sideName scene s
         ]
     seen = Set.fromList (concat [[(p, q), (q, p)] | p <- corners scene, q <- corners scene, p < q, isSeen p q])
     isSeen = isElementary scene

@@ -76,7 +76,9 @@ decimal v
 
 commandsOf :: String -> [Command]
 commandsOf text = case dropWhile (not . isAlpha) text of
-  letter : rest -> let (arguments, others) = break isAlpha rest in Command letter (numbersOf arguments) : commandsOf others
+  letter : rest ->
+    let (arguments, others) = break isAlpha rest
+     in Command letter (numbersOf arguments) : commandsOf others
   [] -> []
 
 -- | Numbers in units of 10⁻⁴.

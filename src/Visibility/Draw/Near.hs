@@ -20,7 +20,8 @@ data Grid = Grid
 --
 -- /Requires/ a reach of more than 0. /Cost/ O(n log n) for n segments, times their lengths in reaches.
 gridOf :: Double -> [(Place, Place)] -> Grid
-gridOf reach segments = Grid reach (foldl' add Map.empty [(at, k) | (k, s) <- zip [0 ..] segments, at <- squares reach 0 s])
+gridOf reach segments =
+  Grid reach (foldl' add Map.empty [(at, k) | (k, s) <- zip [0 ..] segments, at <- squares reach 0 s])
   where
     add found (at, k) = Map.insertWith (<>) at [k] found
 
@@ -41,7 +42,8 @@ squares :: Double -> Double -> (Place, Place) -> [(Int, Int)]
 squares width margin (Place x0 y0, Place x1 y1) =
   [ (column, row)
   | column <- [number (left - wider) .. number (right + wider)]
-  , let here = [kept left right x | x <- [fromIntegral column * width - wider, fromIntegral (column + 1) * width + wider]]
+  , let ends = [fromIntegral column * width - wider, fromIntegral (column + 1) * width + wider]
+  , let here = map (kept left right) ends
   , let heights = if x0 == x1 then [y0, y1] else map heightAt here
   , row <- [number (minimum heights - wider) .. number (maximum heights + wider)]
   ]

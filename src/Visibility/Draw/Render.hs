@@ -25,8 +25,8 @@ import Visibility.Draw.Drawing
 -- | The SVG of a drawing: as many user units as the drawing has pixels, a white ground, each layer a @g@ whose class
 -- is the layer's name, title and description as elements.
 --
--- /Shape/ places are rounded to hundredths of a pixel. Neighbouring marks of a layer that look the same share a path. The
--- library writes whole documents and no named groups, so a layer is a document within its group.
+-- /Shape/ places are rounded to hundredths of a pixel. Neighbouring marks of a layer that look the same share a path.
+-- The library writes whole documents and no named groups, so a layer is a document within its group.
 --
 -- /Laws/ a function of the drawing, byte for byte; well-formed XML.
 renderSvg :: Drawing -> ByteString

@@ -256,8 +256,8 @@ freeCorners o found =
     sideOwner f = sideOwners U.! fromIntegral (sides U.! f)
     sideOwners = ownersFrom (sideFirsts o)
 
--- | 'freeCorners' where nothing meets: each corner of a ring begins its one side there, and on the way back along a wall
--- what follows a face that arrives is the other one that begins there.
+-- | 'freeCorners' where nothing meets: each corner of a ring begins its one side there, and on the way back along a
+-- wall what follows a face that arrives is the other one that begins there.
 wholeSides :: Outline -> Boundary
 wholeSides o = runST $ do
   corners <- M.new total

@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Whether the boundaries of polygons meet at all, and whether one lies where it may not, decided by a sweep. For valid
--- scenes without contacts it is the whole check of how polygons lie to each other, and unlike a comparison of boxes its
--- cost does not depend on how the sides lie; it does not say what meets.
+-- | Whether the boundaries of polygons meet at all, and whether one lies where it may not, decided by a sweep. For
+-- valid scenes without contacts it is the whole check of how polygons lie to each other, and unlike a comparison of
+-- boxes its cost does not depend on how the sides lie; it does not say what meets.
 module Visibility.Scene.Disjoint
   ( Boundaries (..)
   , boundaries
@@ -52,9 +52,9 @@ data Boundaries
 --
 -- A polygon that is where it may be has no ring around it, or, if there is an enclosure, just that; an enclosure has
 -- none. So it does not count as misplaced. Conversely, of all misplaced polygons take one with the fewest rings around
--- it. These are where they may be, for they have fewer. So if there is no enclosure, there is one of them. Else it is no
--- obstacle alone, for that is outside of the enclosure; so there are the enclosure and one obstacle in it, or none; and
--- none is right for the enclosure. In each case the polygon counts as misplaced.
+-- it. These are where they may be, for they have fewer. So if there is no enclosure, there is one of them. Else it is
+-- no obstacle alone, for that is outside of the enclosure; so there are the enclosure and one obstacle in it, or none;
+-- and none is right for the enclosure. In each case the polygon counts as misplaced.
 
 -- | Do boundaries meet, but for segments with a corner in common, which meet there, and is every polygon where it may
 -- be?

@@ -20,8 +20,8 @@ import Control.Monad.ST (ST)
 import Data.Int (Int32)
 import qualified Data.Vector.Unboxed.Mutable as M
 
--- | Some of the numbers from 0 to below a bound, called slots, in an order: a splay tree, and a list that is linked both
--- ways.
+-- | Some of the numbers from 0 to below a bound, called slots, in an order: a splay tree, and a list that is linked
+-- both ways.
 --
 -- Of slot s, from 5s on: the roots of its subtrees below and above it, its parent, the slots just below and just above
 -- it. Then the root.
@@ -75,8 +75,8 @@ above status = get status Above
 
 -- | The last slot with a property, and the first without it, or 'noSlot'.
 --
--- /Requires/ a property that a lower slot has if a higher one has it. /Cost/ O(log n) questions on average over a row of
--- searches and changes, if 'insertBetween' follows each.
+-- /Requires/ a property that a lower slot has if a higher one has it. /Cost/ O(log n) questions on average over a row
+-- of searches and changes, if 'insertBetween' follows each.
 lookupGap :: Status s -> (Int -> ST s Bool) -> ST s (Int, Int)
 lookupGap status has = getRoot status >>= go noSlot noSlot
   where

@@ -37,7 +37,10 @@ quarterTurned scene = (turned, olds)
     sorted = U.modify (Intro.sortBy (\p q -> comparePlacesAt turnedStated (at p) (at q))) (U.enumFromN 0 total)
     at place = standing `U.unsafeIndex` place
     standing =
-      U.update_ (U.replicate total 0) (U.map fromIntegral (statedPlaceNumbers scene)) (U.enumFromN 0 (statedTotal stated))
+      U.update_
+        (U.replicate total 0)
+        (U.map fromIntegral (statedPlaceNumbers scene))
+        (U.enumFromN 0 (statedTotal stated))
     renumber = U.map (\place -> renumbered U.! fromIntegral place)
     -- The corners of the scene in the lexicographic order of the turned one, and their places in it.
     numbers = renumber (placeNumbers scene)

@@ -69,8 +69,8 @@ start scene = runST (begun (prepared scene) >>= \state -> stopped state (cornerC
 -- three chain steps per pair; that there are O(m) is proved by Rivière for another scan of the chains, not for this
 -- one.
 --
--- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@. That no pair is left at the end
--- is asked each time.
+-- /Laws/ the set equals that of brute force; @vertices s == unfoldr (step s) (start s)@. That no pair is left at the
+-- end is asked each time.
 vertices :: Scene -> [Vertex]
 vertices = concatMap pieceVertices . verticesInPieces
 

@@ -1,9 +1,10 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The start of the sweep: what each corner sees along the vertical, by a plane sweep; and from that its first targets.
+-- | The start of the sweep: what each corner sees along the vertical, by a plane sweep; and from that its first
+-- targets.
 --
--- Targets are written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below, while
--- turns stay what they are. So the left-going half of the sweep is the same code on the same tables.
+-- Targets are written for a heading. Seen by 'Leftward' the scene is turned by 180°: right is left, above is below,
+-- while turns stay what they are. So the left-going half of the sweep is the same code on the same tables.
 --
 -- Verticals need no care: order is lexicographic, which is the same as turning the scene by an infinitely small angle
 -- to the right.
@@ -87,8 +88,8 @@ floorsFor heading = case heading of
   Rightward -> floors
   Leftward -> ceilings
 
--- | A side that crosses the vertical, from its left end to its right one. The two sides of a thin wall of one piece are one
--- crossing; the two faces of a piece of a longer one are two, in one place.
+-- | A side that crosses the vertical, from its left end to its right one. The two sides of a thin wall of one piece are
+-- one crossing; the two faces of a piece of a longer one are two, in one place.
 data Crossing = Crossing !Int !Int
 
 -- | The side of a crossing that is free above it, or 'solid'.
@@ -217,8 +218,8 @@ cornersFrom scene x = x : [c | c <- takeWhile isHere [x + 1 .. cornerCount scene
   where
     isHere c = samePlace scene (CornerId x) (CornerId c)
 
--- | The sides that start at corners of one place, seen from the left, from the lowest to the uppermost. Of the two faces
--- of one piece of a wall the lower one, which has free space on its right, comes first.
+-- | The sides that start at corners of one place, seen from the left, from the lowest to the uppermost. Of the two
+-- faces of one piece of a wall the lower one, which has free space on its right, comes first.
 startingSides :: Scene -> [Int] -> [Crossing]
 startingSides scene here = case [Crossing p q | p <- here, q <- neighbours p, p < q] of
   found@(_ : _ : _) -> sortBy order found
@@ -245,9 +246,9 @@ verticals scene p = case (before' < p, after < p) of
 -- | By corner: the corner at the far end of its elementary pair of least slope that leaves forward, 'solid' where its
 -- forward rays are solid, 'skyCode' where there is no such corner and it sees the sky.
 --
--- For each floor the convex chain of corners seen above it is kept while corners are visited against the heading: nearest
--- first, down to the end of the floor. By floor the first node, by node the next; the nodes are p for the corner p, and
--- n + p for p as the end of a floor.
+-- For each floor the convex chain of corners seen above it is kept while corners are visited against the heading:
+-- nearest first, down to the end of the floor. By floor the first node, by node the next; the nodes are p for the
+-- corner p, and n + p for p as the end of a floor.
 --
 -- /Degenerate cases/ corners collinear with p on a chain stay, so that the first target is the nearest. Of two faces of
 -- one piece of a wall the lower one, which has free space on its right, comes first.

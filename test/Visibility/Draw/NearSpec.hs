@@ -37,7 +37,9 @@ spec = describe "what is near" $ do
     -- Long and short ones, upright ones, points.
     segment = do
       Place x y <- Place <$> coordinate <*> coordinate
-      to <- oneof [Place <$> coordinate <*> coordinate, Place x <$> coordinate, pure (Place x y), Place <$> step x <*> step y]
+      to <-
+        oneof
+          [Place <$> coordinate <*> coordinate, Place x <$> coordinate, pure (Place x y), Place <$> step x <*> step y]
       pure (Place x y, to)
     coordinate = oneof [choose (0, 200), fromIntegral <$> choose (0, 20 :: Int)] :: Gen Double
     step v = (v +) <$> choose (-5, 5)

@@ -75,7 +75,7 @@ spec = do
             drawing = Drawing Text.empty Text.empty 800 100 [Layer (Text.pack "l") density (map line [1 .. k])]
         length (filter (== 'M') (rendered drawing)) `shouldBe` 1 + round k
     it "has a place for each dot, full or hollow" $
-      for_ [(density, style) | density <- [minBound .. maxBound], style <- [VertexDot, DegenerateVertexDot]] $ \(density, style) -> do
+      for_ ((,) <$> [minBound .. maxBound] <*> [VertexDot, DegenerateVertexDot]) $ \(density, style) -> do
         let dots = [Mark Text.empty style (Dot (Place (i / 7) (i / 11))) | i <- [1 .. 600 :: Double]]
             drawing = Drawing Text.empty Text.empty 800 100 [Layer (Text.pack "l") density dots]
         length (filter (== 'M') (rendered drawing)) `shouldBe` 1 + length dots

@@ -81,7 +81,8 @@ namesAt scene c = [name | (name, point) <- statedCorners scene, point == cornerP
 
 -- | All lines, in the order of the sweep and sorted.
 streamOf, sortedOf :: Scene -> PairSelection -> Builder
-streamOf scene selection = foldMap (byteString . linesOf names . pairKeys scene names selection) (verticesInPieces scene)
+streamOf scene selection =
+  foldMap (byteString . linesOf names . pairKeys scene names selection) (verticesInPieces scene)
   where
     names = namesOf scene
 sortedOf scene selection = sortedLines names (map (pairKeys scene names selection) (verticesInPieces scene))

@@ -104,8 +104,8 @@ behind mesh (SideName p k) =
     , polygonForm polygon == Polyline
     ]
 
--- | What a side drops, by trying all break points each time: its own, and on pieces of a wall that are uncovered on both
--- faces those of the other face.
+-- | What a side drops, by trying all break points each time: its own, and on pieces of a wall that are uncovered on
+-- both faces those of the other face.
 oneByOne :: Int -> Mesh -> SideName -> [Rational]
 oneByOne most mesh side = go (Map.toList points)
   where

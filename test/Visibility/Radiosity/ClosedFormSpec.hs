@@ -175,8 +175,8 @@ facing a b h = (Point ((a - b) / 2) h, Point ((a + b) / 2) h)
 rootOf :: Rational -> RootSum
 rootOf = fromMaybe zero . rootOfRational
 
--- | Hottel: the crossed strings less the uncrossed ones, by twice the width. The first ends of both plates are joined by
--- an uncrossed string.
+-- | Hottel: the crossed strings less the uncrossed ones, by twice the width. The first ends of both plates are joined
+-- by an uncrossed string.
 strings :: (Point, Point) -> (Point, Point) -> RootSum
 strings (a, b) (c, d) = case terms (way a b) of
   [(q, n)] -> fromMaybe zero (quotientByRoot (scaled (1 / 2) crossed) q n)

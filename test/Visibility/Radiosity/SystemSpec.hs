@@ -87,7 +87,8 @@ spec = do
             scene <- sampleScene <$> sample (RawScene Nothing (Just room) [lamp])
             let closeness = ToDigits (fromMaybe defaultDigits (digits 20))
                 sums = measures scene (vertices scene)
-            either (const Nothing) Just (radiosityOfElements closeness (Refined scene (map element (statedSides scene))) sums)
+                cut = Refined scene (map element (statedSides scene))
+            either (const Nothing) Just (radiosityOfElements closeness cut sums)
       case solved of
         Nothing -> expectationFailure "there is no solution"
         Just found -> do

@@ -58,7 +58,8 @@ spec = modifyMaxSuccess (* 20) $ do
       -- In a polygon with a notch, sides also start where there is its solid around.
       notched <- notch corners <$> elements [1 / 8, 1 / 4, 3 / 8]
       elements $
-        map rawPolygon [corners, reverse corners, notched, reverse notched] <> map rawWall [take 2 corners, take 3 corners]
+        map rawPolygon [corners, reverse corners, notched, reverse notched]
+          <> map rawWall [take 2 corners, take 3 corners]
     notch corners k = case corners of
       Point a b : others@[_, Point c d, _] -> Point (a * k + c * (1 - k)) (b * k + d * (1 - k)) : others
       _ -> corners

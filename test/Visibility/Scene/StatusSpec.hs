@@ -33,7 +33,8 @@ spec = do
       rising <- frequency [(3, pure False), (1, pure True)]
       pure (bound, if rising then [0 .. bound - 1] <> slots else slots)
 
--- Orders in which n slots come in, n being even: by their own order, from one end, from both, and every second one first.
+-- Orders in which n slots come in, n being even: by their own order, from one end, from both, and every second one
+-- first.
 orders :: Int -> [(String, [Int])]
 orders n =
   [ ("rising", [0 .. n - 1])

@@ -22,7 +22,8 @@ spec =
             old (CornerId c) = CornerId (fromIntegral (olds U.! c))
          in conjoin
               [ sort (map old (corners turned)) === corners scene
-              , map (cornerPoint turned) (corners turned) === map (rightTurned . cornerPoint scene . old) (corners turned)
+              , map (cornerPoint turned) (corners turned)
+                  === map (rightTurned . cornerPoint scene . old) (corners turned)
               , map (cornerPoint turned) (corners turned) === sort (map (cornerPoint turned) (corners turned))
               , map (cornerName turned) (corners turned) === map (cornerName scene . old) (corners turned)
               , map (namesHere turned) (corners turned) === map (namesHere scene . old) (corners turned)
@@ -73,7 +74,8 @@ hasOwn (LatticePoint _ _ w) = w > 1
 unrelated :: RawScene
 unrelated = RawScene Nothing Nothing [rawWall [corner k 0, corner (k + 1) 1] | k <- [0, 2 .. 20]]
   where
-    corner k y = Point (fromInteger k + 1 / (2 ^ (60 :: Int) + fromInteger k)) (y + 1 / (3 ^ (40 :: Int) + fromInteger k))
+    corner k y =
+      Point (fromInteger k + 1 / (2 ^ (60 :: Int) + fromInteger k)) (y + 1 / (3 ^ (40 :: Int) + fromInteger k))
 
 rightTurned :: Point -> Point
 rightTurned (Point x y) = Point y (negate x)

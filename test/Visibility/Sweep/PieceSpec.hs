@@ -22,7 +22,10 @@ spec =
     it "of the sweep is not empty, and all of them are the sweep" $
       property $ \(AnyScene s) ->
         let found = verticesInPieces (sampleScene s)
-         in conjoin [concatMap pieceVertices found === vertices (sampleScene s), property (all ((> 0) . pieceLength) found)]
+         in conjoin
+              [ concatMap pieceVertices found === vertices (sampleScene s)
+              , property (all ((> 0) . pieceLength) found)
+              ]
     it "knows the neighbours on each of its lines" $
       property $ \(AnyScene s) ->
         let found = vertices (sampleScene s)

@@ -157,8 +157,8 @@ pairFaces =
   lawOf
     "an elementary pair begins one face and ends one"
     "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, and the last vertex of as \
-    \many. The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has corners \
-    \between its ends, each face has its own pairs."
+    \many. The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has \
+    \corners between its ends, each face has its own pairs."
     $ \complex ->
       let tally table =
             U.accum
