@@ -47,6 +47,12 @@ spec = do
               , [(seenText a, seenText b) | ((a, b), area) <- statedMeasures scene sums, sign area /= Positive]
               )
                 === ([], [])
+      it "are the same multiples of the same roots in machine integers, to the largest, as in larger ones" $
+        property $ \(LatticeScene s) -> forAll (filling (2 ^ (31 :: Int) - 1) (sampleRaw s)) $ \raw ->
+          onScene raw $ \scene -> onScene (changed (times 2) raw) $ \large ->
+            let sumsOf made = [(pair, terms area) | (pair, area) <- measureList made (measuresIn made)]
+             in (map (areSmall . pointPlaces . scenePoints) [scene, large] === [True, False])
+                  .&&. ([(pair, [(2 * c, n) | (c, n) <- sums]) | (pair, sums) <- sumsOf scene] === sumsOf large)
       it "between sides of the file are those between all their pieces, added up" $
         property $ \(TouchingScene s) ->
           let scene = sampleScene s
@@ -100,11 +106,9 @@ spec = do
       property $ \(AnyScene s) -> forAll someDigits $ \n -> areExact n (sampleScene s)
     it "are so where polygons touch" $
       property $ \(TouchingScene s) -> forAll someDigits $ \n -> areExact n (sampleScene s)
-    it "are so on large lattices and between the points of one" $
+    it "are so on large lattices" $
       property $ \(LatticeScene s) -> forAll (elements [1 / 3 ^ (25 :: Int), 3 ^ (25 :: Int), 2 ^ (31 :: Int) / 7]) $ \k ->
-        let larger p = p {rawCorners = map (times k) (rawCorners p)}
-            RawScene name room polygons = sampleRaw s
-         in onScene (RawScene name (larger <$> room) (map larger polygons)) (areExact defaultDigits)
+        onScene (changed (times k) (sampleRaw s)) (areExact defaultDigits)
   describe "the nearest Doubles" $ do
     it "are those of the exact form factors, the same ones in the same order" $
       property $ \(AnyScene s) -> areNearest (sampleScene s)
@@ -112,9 +116,7 @@ spec = do
       property $ \(TouchingScene s) -> areNearest (sampleScene s)
     it "are so on the lattice of large numbers" $
       property $ \(LatticeScene s) -> forAll (elements [3 ^ (25 :: Int), 3 ^ (80 :: Int), 7 ^ (400 :: Int)]) $ \k ->
-        let larger p = p {rawCorners = map (times k) (rawCorners p)}
-            RawScene name room polygons = sampleRaw s
-         in onScene (RawScene name (larger <$> room) (map larger polygons)) areNearest
+        onScene (changed (times k) (sampleRaw s)) areNearest
     it "need roots for few of them, and so do decimals of 17 digits" $
       property $ \(ConvexScene s) ->
         let scene = sampleScene s
@@ -141,9 +143,8 @@ spec = do
       property $ \(TouchingScene s) -> forAll someDigits $ \n -> areDecimals n (sampleScene s)
     it "are so on the lattice of large numbers" $
       property $ \(LatticeScene s) -> forAll someDigits $ \n ->
-        let larger p = p {rawCorners = [Point (3 ^ (90 :: Int) * x) (y / 3 ^ (90 :: Int)) | Point x y <- rawCorners p]}
-            RawScene name room polygons = sampleRaw s
-         in onScene (RawScene name (larger <$> room) (map larger polygons)) (areDecimals n)
+        let k = 3 ^ (90 :: Int)
+         in onScene (changed (\(Point x y) -> Point (k * x) (y / k)) (sampleRaw s)) (areDecimals n)
   describe "nothing but names" $
     modifyMaxSuccess (* 2) $ do
       it "changes when the scene is moved, scaled, turned or mirrored" $
@@ -194,6 +195,7 @@ spec = do
     inOrder (a, b) = (min a b, max a b)
     measuresIn scene = measures scene (vertices scene)
     times k (Point x y) = Point (k * x) (k * y)
+    areSmall places = case places of SmallPlaces _ -> True; LargePlaces _ -> False
     triangle m n = [Point 0 0, Point (2 * m * n) 0, Point 0 (m * m - n * n)]
     areNearest scene = doublesOf scene === roundedOf scene
     areDecimals n scene =
@@ -240,6 +242,31 @@ vectorFolder = "test" </> "vectors"
 changesNothing :: Sample -> Gen Change -> Property
 changesNothing s change = forAll change $ \c ->
   onScene (changedScene c) $ \scene -> factorsOf scene === renamedFactors (newSide c) (factorsOf (sampleScene s))
+
+-- | The scene with all its corners elsewhere.
+changed :: (Point -> Point) -> RawScene -> RawScene
+changed f (RawScene name room polygons) = RawScene name (moved <$> room) (map moved polygons)
+  where
+    moved p = p {rawCorners = map f (rawCorners p)}
+
+-- | The image of a scene with whole coordinates under an integer matrix: about so wide and so high, but no more.
+filling :: Integer -> RawScene -> Gen RawScene
+filling extent raw = do
+  (a, b, c, d) <- ((,,,) <$> entry <*> entry <*> entry <*> entry) `suchThat` \(a, b, c, d) -> a * d /= b * c
+  let (ka, kb) = stretched a b
+      (kc, kd) = stretched c d
+  pure (changed (\(Point x y) -> Point (ka * x + kb * y) (kc * x + kd * y)) raw)
+  where
+    entry = fromInteger <$> choose (-99, 99)
+    points = concatMap rawCorners (maybe id (:) (rawEnclosure raw) (rawPolygons raw))
+    spanOf along = let xs = map along points in maximum xs - minimum xs
+    -- Rounding moves nothing by more than the slack, nor can it make the determinant zero: a row is thousands of times
+    -- as long as its like.
+    slack = spanOf (\(Point x _) -> x) + spanOf (\(Point _ y) -> y)
+    stretched u v = (whole (k * u), whole (k * v))
+      where
+        k = (fromInteger extent - slack) / max 1 (spanOf (\(Point x y) -> u * x + v * y))
+    whole q = fromInteger (round q)
 
 onScene :: Testable p => RawScene -> (Scene -> p) -> Property
 onScene raw f = maybe (counterexample ("not valid: " <> sampleText raw) False) (property . f . sampleScene) (sample raw)

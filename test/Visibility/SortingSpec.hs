@@ -20,3 +20,10 @@ spec = do
     it "begin where the part changes, and end with the number of items" $
       forAll (listOf (choose (0, 3 :: Int))) $ \items ->
         U.toList (runs id (U.fromList items)) === scanl (+) 0 (map length (group items))
+  describe "bucketsBy" $
+    it "has the items of each bucket in their own order" $
+      forAll (listOf (choose (0, 9))) $ \owners ->
+        let buckets = bucketsBy 10 (U.fromList (map fromIntegral owners))
+            expected = [[i | (i, o) <- zip [0 ..] owners, o == g] | g <- [0 .. 9 :: Int]]
+         in (map (bucketOf buckets) [0 .. 9] === expected)
+              .&&. (map (map fromIntegral . U.toList . bucketSlice buckets) [0 .. 9] === expected)

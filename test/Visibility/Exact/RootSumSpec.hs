@@ -171,7 +171,7 @@ spec = do
       terms (scaled 0 (rational 3)) `shouldBe` []
     it "refuses negative radicands" $ do
       fmap terms (root 1 (-1)) `shouldBe` Nothing
-      fmap terms (fromTerms [(1, 2), (1, -2)]) `shouldBe` Nothing
+      fmap terms (fromTerms [(1, 2), (1, -1)]) `shouldBe` Nothing
       fmap terms (timesRoot 1 (-2) (rational 1)) `shouldBe` Nothing
       rootOfRational (-1 % 4) `shouldBe` Nothing
     it "measures integer vectors, by the primitive ones along them" $

@@ -1,6 +1,6 @@
 module Visibility.Exact.SquareClassSpec (spec) where
 
-import Data.List (sort)
+import Data.List (nub, sort)
 import Data.Ratio ((%))
 import Test.Hspec
 import Test.QuickCheck
@@ -31,11 +31,23 @@ spec = do
       property $ forAll (oneof [positive 63, pure (2 ^ (63 :: Int) - 1), pure (2 ^ (62 :: Int))]) $ \n ->
         let PreparedRoot key k m = preparedRoot n
          in prepared (fromInteger n) === (key, k, m)
+    it "loses the squares of just the small primes" $
+      [n | p <- [2 .. 60], let PreparedRoot _ _ n = preparedRoot (p * p * 61 :: Integer), (n == 61) == (p `elem` [53, 59])]
+        `shouldBe` []
     it "has one key for each square class" $
       property $ forAll ((,) <$> positive 100 <*> positive 100) $ \(n, k) ->
         classKey (preparedRoot (n * k * k)) === classKey (preparedRoot n)
     it "has the key 0 for perfect squares" $
       property $ forAll (positive 100) $ \k -> classKey (preparedRoot (k * k)) === 0
+    it "tells the 8 classes in ℚ₂ and the 4 in each other field apart" $
+      [ (p, length keys)
+      | p <- smallPrimes
+      , -- Squares in all fields but that of p.
+      let numbers = [1 + j * (8 * product (drop 1 smallPrimes) `quot` if p == 2 then 8 else p) | j <- [0 .. 8 * p * p]]
+      , let keys = nub (map (classKey . preparedRoot) numbers)
+      , length keys /= if p == 2 then 8 else 4
+      ]
+        `shouldBe` []
     it "has different keys for products of different small primes" $
       property $ forAll ((,) <$> sublistOf smallPrimes <*> sublistOf smallPrimes) $ \(ps, qs) ->
         (classKey (preparedRoot (product ps)) == classKey (preparedRoot (product qs))) === (ps == qs)

@@ -4,18 +4,23 @@ module Visibility.Format.FactorsSpec (spec) where
 
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
-import Data.ByteString.Builder (toLazyByteString)
+import Data.ByteString.Builder (Builder, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.Char (isDigit)
 import Data.Foldable (for_)
 import Data.List (isPrefixOf)
 import Data.Maybe (fromMaybe)
+import Data.Ratio ((%))
 import Numeric (readFloat)
 import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point (Point (..))
+import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.FormFactor
 import Visibility.Format.Factors
-import Visibility.Scene (Scene)
+import Visibility.Scene
 import Visibility.Scene.Raw (RawScene (..), rawPolygon)
 import Visibility.Sweep
 import Visibility.Test.Generator
@@ -38,11 +43,17 @@ squareAndWall wall k = sampleScene <$> sample (RawScene Nothing Nothing (map loo
 document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
   lines . Lazy.unpack . toLazyByteString $ case detail of
-    DecimalsOnly -> decimalDocument format wanted OwnNames scene (decimalFactors wanted scene sums)
-    WithExactMeasures -> exactDocument format wanted OwnNames scene (exactFactors wanted scene sums)
+    DecimalsOnly -> decimalDocument format fourDigits OwnNames scene (decimalFactors fourDigits scene sums)
+    WithExactMeasures -> exactly format OwnNames scene
   where
     sums = measures scene (vertices scene)
-    wanted = fromMaybe defaultDigits (digits 4)
+
+exactly :: FactorFormat -> Naming -> Scene -> Builder
+exactly format naming scene =
+  exactDocument format fourDigits naming scene (exactFactors fourDigits scene (measures scene (vertices scene)))
+
+fourDigits :: Digits
+fourDigits = fromMaybe defaultDigits (digits 4)
 
 doubles :: FactorFormat -> Scene -> String
 doubles format scene =
@@ -57,10 +68,119 @@ lengthsIn text = do
   found <- traverse (parseMaybe (Aeson.withObject "side" (Aeson..: "length"))) (stated :: [Aeson.Value])
   pure (length stated, [(word, q) | word <- found, (q, "") <- readFloat word])
 
+-- | Names of sides, and how a document is told of them.
+data Named = Named String (SideName -> String) Naming
+
+instance Show Named where
+  show (Named text _ _) = text
+
+someNames :: Gen Named
+someNames = elements [Named "own names" sideText OwnNames, Named "long names" long (ElementNames long)]
+  where
+    long s = sideText s <> "#an-element"
+
+-- | The terms of a sum as people read it.
+readTerms :: String -> [(Rational, Integer)]
+readTerms text = case words text of
+  ('-' : first) : others -> term (-1) first : following others
+  first : others -> term 1 first : following others
+  [] -> []
+  where
+    following (sign : word : others) = term (if sign == "-" then -1 else 1) word : following others
+    following _ = []
+    term sign word = case break (== '*') word of
+      (c, '*' : n) -> (sign * rationalIn c, radicand n)
+      (c, _) | "sqrt" `isPrefixOf` c -> (sign, radicand c)
+      (c, _) -> (sign * rationalIn c, 1)
+    radicand = read . filter isDigit
+    rationalIn c = case break (== '/') c of
+      (p, '/' : q) -> read p % read q
+      (p, _) -> read p % 1
+
 spec :: Spec
 spec = do
   documents
+  exactDocuments
   nearest
+
+exactDocuments :: Spec
+exactDocuments = describe "exactDocument" . modifyMaxSuccess (`div` 2) $ do
+  it "has a line of CSV for each factor, with terms that are read back" $
+    forAllNamed $ \name naming scene ->
+      let (header, rows) = splitAt 1 (map (parted ',') (lines (Lazy.unpack (toLazyByteString (exactly FactorsCsv naming scene)))))
+       in (header === [["from", "to", "value", "measure"]])
+            .&&. (map (take 3) rows === [[name from, toText name to, value] | (from, to, value, _) <- factorsIn scene])
+            .&&. (map (map readTerms . drop 3) rows === [[found] | (_, _, _, found) <- factorsIn scene])
+  it "tells in JSON what there is to tell, the measure as a list of terms" $
+    forAllNamed $ \name naming scene ->
+      Aeson.decode (toLazyByteString (exactly FactorsJson naming scene))
+        === Just
+          ( Aeson.object
+              [ "format" Aeson..= ("viscomplex/1" :: String)
+              , "sides"
+                  Aeson..= [ Aeson.object $
+                              ["id" Aeson..= name s, "length" Aeson..= decimal fourDigits (sideLength scene s)]
+                                <> ["uncovered" Aeson..= rationalText part | part <- covered scene s]
+                           | s <- statedSides scene
+                           ]
+              , "factors"
+                  Aeson..= [ Aeson.object
+                              [ "from" Aeson..= name from
+                              , "to" Aeson..= toText name to
+                              , "value" Aeson..= value
+                              , "measure" Aeson..= [[rationalText c, show n] | (c, n) <- found]
+                              ]
+                           | (from, to, value, found) <- factorsIn scene
+                           ]
+              ]
+          )
+  it "tells the same as text, a block for each side" $
+    forAllNamed $ \name naming scene ->
+      map asRead (lines (Lazy.unpack (toLazyByteString (exactly FactorsText naming scene))))
+        === concat
+          [ ( ["side", name s <> ",", "length", decimal fourDigits (sideLength scene s) <> ","]
+                <> concat [[rationalText part, "of", "it", "uncovered,"] | part <- covered scene s]
+                <> ["sees"]
+            , []
+            )
+            : [([toText name to, value], found) | (from, to, value, found) <- factorsIn scene, from == s]
+          | s <- statedSides scene
+          ]
+  it "writes no factor 1 and no root of 1, and an empty sum as 0" $
+    for_
+      [ ([], "0")
+      , ([(1, 1)], "1")
+      , ([(-1, 1), (1, 2), (-1, 3)], "-1 + sqrt(2) - sqrt(3)")
+      , ([(-1, 2)], "-sqrt(2)")
+      , ([(-1 / 2, 5), (3, 7)], "-1/2*sqrt(5) + 3*sqrt(7)")
+      ]
+      $ \(found, text) -> do
+        scene <- maybe (fail "no scene") pure pair
+        made <- maybe (fail "no sum") pure (RootSum.fromTerms found)
+        let row = FactorRow (SideName (Obstacle 0) 0) [(TheSky, ("0.5", made))] 0
+        Lazy.unpack (toLazyByteString (exactDocument FactorsCsv fourDigits OwnNames scene [row]))
+          `shouldBe` "from,to,value,measure\n0.0,sky,0.5," <> text <> "\n"
+  where
+    forAllNamed :: ((SideName -> String) -> Naming -> Scene -> Property) -> Property
+    forAllNamed check =
+      property $ \(AnyScene s) -> forAll someNames $ \(Named _ name naming) -> check name naming (sampleScene s)
+    factorsIn scene =
+      [ (factorFrom f, factorTo f, decimal fourDigits (factorValue f), RootSum.terms (factorMeasure f))
+      | f <- formFactors scene (measures scene (vertices scene))
+      ]
+    toText name to = case to of
+      TheSide s -> name s
+      TheSky -> "sky"
+    covered scene s = [part | let part = uncovered scene s, part /= 1]
+    parted mark text = case break (== mark) text of
+      (first, _ : others) -> first : parted mark others
+      (first, []) -> [first]
+    -- The words of a line up to a sum, and its terms.
+    asRead line = case break (== '(') line of
+      (names, '(' : sums) -> (takeWhile (/= "=") (words names), readTerms (unbracketed sums))
+      (names, _) -> (words names, [])
+    -- A sum has brackets of its own.
+    unbracketed sums = take (length sums - length (") / (2 L)" :: String)) sums
 
 nearest :: Spec
 nearest = describe "nearestDocument" $ do
