@@ -61,7 +61,7 @@ eachPair n groups value put =
 displacement :: Scene -> Terms -> Slot -> (Double, Double)
 displacement scene terms slot = (x' - x, y' - y)
   where
-    (a, b, _) = slotEnds terms slot
+    (a, b) = slotEnds terms slot
     (x, y) = rounded a
     (x', y') = rounded b
     rounded c = let Point u v = cornerPoint scene (CornerId c) in (fromRational u, fromRational v)

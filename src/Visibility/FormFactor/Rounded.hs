@@ -95,7 +95,7 @@ roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
 
     sums = sumsOf (groupCount groups) (groupTerms (\total slot -> plusLength total (distances `lengthAt` slot)) noLengths groups)
     distances = lengthsOf (slotCount terms) (lengthOf . alongSlot)
-    alongSlot slot = let (a, b, _) = slotEnds terms slot in way (corner a) (corner b)
+    alongSlot slot = let (a, b) = slotEnds terms slot in way (corner a) (corner b)
     corner = cornerAt scene . CornerId
     sideLengths = lengthsOf (V.length spans) (lengthOf . (spans V.!))
     spans = V.fromList (map (sideSpan scene) (statedSides scene))

@@ -56,26 +56,24 @@ groupSums scene terms groups = case pointPlaces (scenePoints scene) of
 -- | A distance on the lattice: a multiple of a root, the factor a fraction.
 data Distance = Distance !Integer !Integer !(PreparedRoot Integer)
 
--- | The distance between the first two of three corners on a line, the last one being the farthest, in lengths of the
--- primitive lattice vector along the line: between whole points it is an integer multiple of one root.
-largeDistance :: V.Vector LatticePoint -> (Int, Int, Int) -> Distance
-largeDistance points (a, b, c) = let (n, root) = along x y dx dy in Distance n w root
+-- | The distance between two corners in lengths of the primitive lattice vector along their line: between whole points it
+-- is an integer multiple of one root.
+largeDistance :: V.Vector LatticePoint -> (Int, Int) -> Distance
+largeDistance points (a, b) = let (n, root) = inPrimitives x y in Distance n w root
   where
-    from i = points V.! a `way` (points V.! i)
-    Way (Vector2 x y) w = from b
-    Way (Vector2 dx dy) _ = from c
+    Way (Vector2 x y) w = (points V.! a) `way` (points V.! b)
 
 -- | The same of whole points with coordinates below 2^31. So the square of a distance is below 2^63.
-smallDistance :: U.Vector Int32 -> (Int, Int, Int) -> (Int, PreparedRoot Int)
-smallDistance xs (a, b, c) = along (from b 0) (from b 1) (from c 0) (from c 1)
+smallDistance :: U.Vector Int32 -> (Int, Int) -> (Int, PreparedRoot Int)
+smallDistance xs (a, b) = inPrimitives (along 0) (along 1)
   where
-    from i k = fromIntegral (xs U.! (2 * i + k)) - fromIntegral (xs U.! (2 * a + k)) :: Int
+    along k = fromIntegral (xs U.! (2 * b + k)) - fromIntegral (xs U.! (2 * a + k)) :: Int
 {-# INLINE smallDistance #-}
 
--- | The first vector as a multiple of the primitive vector of the second one's direction, and the length of that.
-along :: (Integral a, Bits a) => a -> a -> a -> a -> (a, PreparedRoot a)
-along x y dx dy = (if px == 0 then y `quot` py else x `quot` px, preparedRoot (px * px + py * py))
+-- | A vector, which is not 0, as a multiple of a primitive one, and the length of that.
+inPrimitives :: (Integral a, Bits a) => a -> a -> (a, PreparedRoot a)
+inPrimitives x y = (n, preparedRoot (px * px + py * py))
   where
-    divisor = gcd dx dy
-    (px, py) = (dx `quot` divisor, dy `quot` divisor)
-{-# INLINE along #-}
+    n = gcd x y
+    (px, py) = (x `quot` n, y `quot` n)
+{-# INLINE inPrimitives #-}

@@ -50,7 +50,7 @@ import Visibility.Sweep.Vertical (skyCode, solid)
 -- | Terms ±k·t: an unordered pair of objects by their numbers, the sky's being n, and a weight: the slot of t, and k.
 data Terms = Terms
   { termItems :: !(U.Vector (Pair, Int))
-  , slots :: !(U.Vector (Int32, Int32, Int32))
+  , slots :: !(U.Vector (Int32, Int32))
   }
 
 -- | A distance along the line of a vertex, from its first corner to another one.
@@ -60,9 +60,9 @@ type Slot = Int
 slotCount :: Terms -> Int
 slotCount = U.length . slots
 
--- | The first corner of the line, the corner at the distance, and the last one.
-slotEnds :: Terms -> Slot -> (Int, Int, Int)
-slotEnds terms slot = let (a, b, c) = slots terms U.! slot in (fromIntegral a, fromIntegral b, fromIntegral c)
+-- | The first corner of the line and the corner at the distance, which lies elsewhere.
+slotEnds :: Terms -> Slot -> (Int, Int)
+slotEnds terms slot = let (a, b) = slots terms U.! slot in (fromIntegral a, fromIntegral b)
 {-# INLINE slotEnds #-}
 
 -- | The terms of a stream of vertices, which must be that of the whole half turn.
@@ -86,7 +86,7 @@ piecewise
   -> Changing s
   -> Slot
   -> Piece
-  -> ST s (Slot, (U.Vector (Pair, Int), U.Vector (Int32, Int32, Int32)))
+  -> ST s (Slot, (U.Vector (Pair, Int), U.Vector (Int32, Int32)))
 piecewise scene sights !base piece = do
   items <- M.new (6 * size)
   ends <- M.new size
@@ -97,19 +97,18 @@ piecewise scene sights !base piece = do
       after <- forM line look
       let elsewhere c = not (samePlace scene (CornerId first) (CornerId c))
           others = [x | x@(c, _, _) <- drop 1 (zip3 line before after), elsewhere c]
-      zipWithM_ (\k (c, _, _) -> M.write ends (k - base) (int first, int c, int final)) [slot ..] others
+      zipWithM_ (\k (c, _, _) -> M.write ends (k - base) (int first, int c)) [slot ..] others
       used' <- foldM (\u (k, (c, b, a)) -> changes u k c b a) used (zip [slot ..] others)
       pure (used', slot + length others)
       where
         line = [c | CornerId c <- vertexCorners vertex]
         CornerId first = vertexFirst vertex
-        CornerId final = vertexLast vertex
 
     double !used !slot !p !q = do
       before <- look q
       turnPair scene sights p q
       after <- look q
-      M.unsafeWrite ends (slot - base) (int p, int q, int q)
+      M.unsafeWrite ends (slot - base) (int p, int q)
       changes used slot q before after
 
     look !c = do
