@@ -152,8 +152,8 @@ data Running s
 -- | The state just above −90°, in which all corners are pending.
 begun :: Prepared -> ST s (Running s)
 begun known@(Prepared scene rightward leftward) = do
-  right <- plant rightward Rightward (firstTargets scene Rightward vertical)
-  left <- plant leftward Leftward (firstTargets scene Leftward vertical)
+  right <- plant rightward (firstTargets scene Rightward vertical)
+  left <- plant leftward (firstTargets scene Leftward vertical)
   waiting <- newPrimArray n
   setPrimArray waiting 0 n 1
   stack <- newPrimArray n

@@ -20,17 +20,17 @@ import Visibility.Sweep.Vertical
 -- | The tree at the start of the half turn, in which the sweep can go on, from the 'firstTargets' of its heading.
 --
 -- /Cost/ O(n log n).
-plant :: Frame -> Heading -> U.Vector Int32 -> ST s (Growing s)
-plant f heading targets = do
+plant :: Frame -> U.Vector Int32 -> ST s (Growing s)
+plant f targets = do
   tree <- emptyTable n
-  -- Edges to a ceiling come in the order of the heading, those to a corner by slope.
   eachCorner $ \p -> do
     let !l = targetFrom p
     put tree (source p) (firstEnd p)
     putList tree (target p) l
     unless (l == noList) $ putNode tree (edge p) (nodeTo p l)
+    -- To the sky, which at most one edge leads to: all corners but the last one under it have one ahead.
     unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  U.forM_ (U.enumFromN 0 n) $ \q -> do
+  eachCorner $ \q -> do
     let nodes = bucketSlice arriving q
         !l = cornerList q
         nodeAt' = nodeCoded . U.unsafeIndex nodes
@@ -45,9 +45,7 @@ plant f heading targets = do
   where
     n = frameSize f
     -- Lists of all corners would be shared, and kept.
-    eachCorner = U.forM_ $ case heading of
-      Rightward -> U.enumFromN 0 n
-      Leftward -> U.enumFromStepN (n - 1) (-1) n
+    eachCorner visit = U.forM_ (U.enumFromN 0 n) visit
     targetFrom p
       | t == solid = noList
       | t == n = skyList n
