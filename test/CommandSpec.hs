@@ -9,7 +9,7 @@ import qualified Data.Aeson.Types as Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isDigit)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf, nub, sort, sortOn)
+import Data.List (isInfixOf, isPrefixOf, isSuffixOf, nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
@@ -387,6 +387,7 @@ spec = do
       statement <- readFile "scenes/forty-digits.json"
       (code', out', err') <- run ["graph", "-", "--arithmetic", "double"] statement
       (code', out', err') `shouldBe` (code, out, err)
+      err' `shouldSatisfy` isSuffixOf ("The scene was:\n" <> statement <> "\n")
     it "of the unsafe arithmetic give a wrong graph or none, where corners are nearly in line" $ do
       -- Whatever goes wrong stays in a process of its own, with little time and memory.
       let call name arithmetic =
