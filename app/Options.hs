@@ -7,7 +7,6 @@ module Options
   , Common (..)
   , GraphOptions (..)
   , LineOrder (..)
-  , Jobs (..)
   , FactorOptions (..)
   , FactorValues (..)
   , MeshOptions (..)
@@ -131,7 +130,7 @@ commands :: Parser (Either Mistake Command)
 commands =
   hsubparser
     ( command "info" (info (right (Info <$> common)) infoHelp)
-        <> command "graph" graphCommand
+        <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
         <> command "factors" factorsCommand
         <> command "complex" (info (right (Complex <$> common)) complexHelp)
         <> command "radiosity" radiosityCommand
@@ -144,8 +143,6 @@ commands =
     )
   where
     right = fmap Right
-    graphCommand = info (mistakenIn "graph" graphCommand (graphing <$> common <*> graphOptions)) graphHelp
-    graphing shared options = Graph shared options <$ together shared options
     factorsCommand = info (mistakenIn "factors" factorsCommand (factoring <$> common <*> factorOptions)) factorsHelp
     factoring shared = fmap (Factors shared)
     radiosityCommand =
@@ -166,7 +163,6 @@ commands =
           [ ("all pairs, sorted", "viscomplex graph scenes/grid.json")
           , ("the lines that bound shadows", "viscomplex graph scenes/grid.json --bitangents")
           , ("in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
-          , ("on two processors", "viscomplex graph big.json -j2 > pairs.txt")
           ]
           ""
     factorsHelp =

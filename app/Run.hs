@@ -30,19 +30,18 @@ import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteStri
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.Maybe (isJust)
-import Options (Common (..), Jobs (..))
+import Options (Common (..))
 import Progress (withProgress)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (BufferMode (..), Handle, hFlush, hSetBinaryMode, hSetBuffering, stderr, stdout)
 import System.IO.Error (ioeGetErrorString, ioeGetErrorType, isResourceVanishedErrorType, tryIOError)
-import Together (inTurns)
 import Visibility.Error
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.FormFactor (Measures, measuresInPieces)
 import Visibility.Format.File (fileLabel, readSceneBytes, sceneFileBytes)
 import Visibility.Scene (Scene, underArithmetic)
 import Visibility.Scene.Validate (validate)
-import Visibility.Sweep (Piece, Vertex, halvesInPieces, pieceLength, piecesBy, verticesBy)
+import Visibility.Sweep (Piece, Vertex, pieceLength, piecesBy, verticesBy)
 
 -- | Ends the program with exit code 70 and the law's name where a law breaks.
 guarded :: IO () -> IO ()
@@ -89,19 +88,16 @@ broken exception
 sweeping :: Common -> Scene -> ([Vertex] -> IO a) -> IO a
 sweeping common scene = withProgress "vertices swept" (const 1) (verticesBy (schedulerChoice common) scene)
 
--- | Works on what is made of each piece of the sweep, likewise; several processors make it at once, if asked to.
-sweepingPieces :: Common -> Jobs -> Scene -> (Piece -> a) -> ([a] -> IO b) -> IO b
-sweepingPieces common jobs scene make act = case jobs of
-  OneProcessor -> watched (map made (piecesBy (schedulerChoice common) scene))
-  TwoProcessors ->
-    let (first, second) = halvesInPieces scene in inTurns [map made first, map made second] watched
+-- | Works on what is made of each piece of the sweep, likewise.
+sweepingPieces :: Common -> Scene -> (Piece -> a) -> ([a] -> IO b) -> IO b
+sweepingPieces common scene make act =
+  withProgress "vertices swept" fst (map made (piecesBy (schedulerChoice common) scene)) (act . map snd)
   where
     made piece = let item = make piece in item `seq` (pieceLength piece, item)
-    watched items = withProgress "vertices swept" fst items (act . map snd)
 
 -- | The measures of the lines between what sees each other, from a sweep that shows its progress.
 measuring :: Common -> Scene -> IO Measures
-measuring common scene = sweepingPieces common OneProcessor scene id (\swept -> pure $! measuresInPieces scene swept)
+measuring common scene = sweepingPieces common scene id (\swept -> pure $! measuresInPieces scene swept)
 
 -- | Writes messages to standard error, a line or more each.
 complain :: [String] -> IO ()

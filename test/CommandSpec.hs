@@ -89,13 +89,6 @@ spec = do
       streamed <- lines <$> output ["graph", "scenes/flat.json", "--unsorted"] ""
       sortOn pairOf streamed `shouldBe` sorted
       length (nub sorted) `shouldBe` length sorted
-    it "finds the same pairs on two processors" $
-      for_ ["flat", "grid", "forty-digits", "thirds-and-sevenths", "city"] $ \name -> do
-        let file = "scenes" </> name <> ".json"
-        one <- output ["graph", file] ""
-        output ["graph", file, "-j2"] "" `shouldReturn` one
-        streamed <- output ["graph", file, "-j", "2", "--unsorted"] ""
-        sortOn pairOf (lines streamed) `shouldBe` lines one
     it "decides alike under every exact arithmetic" $
       for_ ["grid", "forty-digits", "thirds-and-sevenths", "flat"] $ \name -> do
         let call arithmetic = output ["graph", "scenes" </> name <> ".json", "--arithmetic", arithmetic] ""
@@ -360,8 +353,6 @@ spec = do
         refuses 1 ["size"] ["generate", "random", "--size=" <> number] ""
       for_ ["-5", "18446744073709551616", "x"] $ \number ->
         refuses 1 ["seed"] ["generate", "random", "--size", "3", "--seed=" <> number] ""
-      refuses 1 ["-j2", "topological"] ["graph", "scenes/room.json", "-j2", "--scheduler", "straight"] ""
-      refuses 1 ["1, 2"] ["graph", "scenes/room.json", "-j3"] ""
       refuses 1 ["--double", "--digits"] ["factors", "scenes/room.json", "--double", "--digits", "3"] ""
       refuses 1 ["--double", "--exact"] ["factors", "scenes/room.json", "--double", "--exact"] ""
       refuses 1 ["filtered, exact, double"] ["graph", "scenes/room.json", "--arithmetic", "float"] ""

@@ -39,7 +39,7 @@ runGraph common options = withScene common $ \scene ->
   let names = namesOf scene
       keys = pairKeys scene names (pairSelection options)
       each :: (Piece -> a) -> ([a] -> IO ()) -> IO ()
-      each = sweepingPieces common (graphJobs options) scene
+      each = sweepingPieces common scene
    in case lineOrder options of
         ByName -> each keys (printed . sortedLines names)
         AsSwept -> each (linesOf names . keys) (streamed . foldMap byteStringCopy)

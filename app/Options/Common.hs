@@ -5,9 +5,7 @@ module Options.Common
     -- * The graph
   , GraphOptions (..)
   , LineOrder (..)
-  , Jobs (..)
   , graphOptions
-  , together
   ) where
 
 import Options.Applicative
@@ -23,17 +21,13 @@ data Common = Common
   , schedulerChoice :: !Scheduler
   }
 
--- | Which lines of the graph, in which order, and how they are found.
+-- | Which lines of the graph, and in which order.
 data GraphOptions = GraphOptions
   { pairSelection :: !PairSelection
   , lineOrder :: !LineOrder
-  , graphJobs :: !Jobs
   }
 
 data LineOrder = ByName | AsSwept
-
--- | How many processors sweep.
-data Jobs = OneProcessor | TwoProcessors
 
 common :: Parser Common
 common = Common <$> scene <*> arithmetic <*> scheduler
@@ -72,22 +66,3 @@ graphOptions =
       ByName
       AsSwept
       (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
-    <*> jobsOption
-
-jobsOption :: Parser Jobs
-jobsOption =
-  option
-    (oneOf [("1", OneProcessor), ("2", TwoProcessors)])
-    ( short 'j'
-        <> long "jobs"
-        <> metavar "1|2"
-        <> value OneProcessor
-        <> showDefaultWith (const "1")
-        <> help "How many processors sweep; 2 share the half turn. The same pairs, unsorted in another order."
-    )
-
--- | Why options do not go together.
-together :: Common -> GraphOptions -> Either String ()
-together shared options = case (graphJobs options, schedulerChoice shared) of
-  (TwoProcessors, Straight) -> Left "-j2 goes with --scheduler topological: the straight sweep is one after the other"
-  _ -> Right ()

@@ -36,7 +36,6 @@ module Visibility.Sweep
     -- * The topological sweep
   , vertices
   , verticesInPieces
-  , halvesInPieces
   , Sweep
   , start
   , step
@@ -53,7 +52,6 @@ module Visibility.Sweep
 import Visibility.Scene (Scene)
 import Visibility.Sweep.BruteForce
 import Visibility.Sweep.Piece
-import Visibility.Sweep.Range
 import Visibility.Sweep.Straight
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertex

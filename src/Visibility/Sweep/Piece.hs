@@ -10,7 +10,6 @@ module Visibility.Sweep.Piece
   , pieceCorners
   , pieceVertices
   , pieceNeighbours
-  , renamed
   ) where
 
 import Data.Bits (complement)
@@ -89,10 +88,3 @@ pieceNeighbours make piece@(Piece written) = U.create $ do
   go 0 0
   pure found
 {-# INLINE pieceNeighbours #-}
-
--- | The piece with each corner replaced by what a table says of it.
-renamed :: U.Vector Int32 -> Piece -> Piece
-renamed table (Piece written) =
-  Piece (mapPrimArray (\c -> if c < 0 then complement (new (complement c)) else new c) written)
-  where
-    new c = table U.! fromIntegral c

@@ -13,7 +13,6 @@ module Visibility.Sweep.Topological
   ( -- * The whole sweep
     vertices
   , verticesInPieces
-  , quarterInPieces
     -- * Step by step
   , Sweep (..)
   , start
@@ -78,21 +77,9 @@ vertices = concatMap pieceVertices . verticesInPieces
 --
 -- /Laws/ @concatMap pieceVertices (verticesInPieces s) == vertices s@.
 verticesInPieces :: Scene -> [Piece]
-verticesInPieces = sweptInPieces HalfTurn
-
--- | Those of the first half of the half turn: with directions up to 0°, which is one of them.
---
--- /Cost/ that of 'vertices' to start, then O(1) for each of these pairs and chain step.
---
--- /Laws/ @concatMap pieceVertices (quarterInPieces s)@ are those of @vertices s@ that do not rise, in some order of
--- this kind.
-quarterInPieces :: Scene -> [Piece]
-quarterInPieces = sweptInPieces Quarter
-
-sweptInPieces :: Extent -> Scene -> [Piece]
-sweptInPieces extent scene = Lazy.runST $ do
+verticesInPieces scene = Lazy.runST $ do
   state <- Lazy.strictToLazyST (begun (prepared scene))
-  let onwards depth swept = Lazy.strictToLazyST (run extent state pieceSize depth swept) >>= go
+  let onwards depth swept = Lazy.strictToLazyST (run state pieceSize depth swept) >>= go
       go (Progress size depth swept piece)
         | size == 0 = pure []
         | otherwise = (piece :) <$> onwards depth swept
@@ -104,11 +91,10 @@ finish scene = runST $ do
   state <- begun (prepared scene)
   let go (Progress size depth swept _)
         | size == 0 = stopped state depth swept
-        | otherwise = run HalfTurn state pieceSize depth swept >>= go
-  run HalfTurn state pieceSize (cornerCount scene) 0 >>= go
+        | otherwise = run state pieceSize depth swept >>= go
+  run state pieceSize (cornerCount scene) 0 >>= go
 
--- | How many vertices are swept at a time: so few that another thread never waits long until this one can be stopped
--- for a garbage collection, since the steps themselves allocate nothing.
+-- | How many vertices are swept at a time.
 pieceSize :: Int
 pieceSize = 1024
 
@@ -116,7 +102,7 @@ pieceSize = 1024
 step :: Scene -> Sweep -> Maybe (Vertex, Sweep)
 step scene state = runST $ do
   running <- resumed (prepared scene) state
-  Progress _ depth swept piece <- run HalfTurn running 1 (U.length (pending state)) (pairsSwept state)
+  Progress _ depth swept piece <- run running 1 (U.length (pending state)) (pairsSwept state)
   after <- stopped running depth swept
   pure $ case pieceVertices piece of
     [] -> Nothing
@@ -197,15 +183,9 @@ data Progress = Progress !Int !Int !Int !Piece
 -- | Which of the two next pairs of a pending corner is looked at.
 data Look = RightFirst | ThenLeft
 
--- | How far is swept.
-data Extent
-  = HalfTurn
-  | -- | Up to the direction 0°.
-    Quarter
-
 -- | Takes corners off the stack until so many vertices have been swept; none only at the end.
-run :: Extent -> Running s -> Int -> Int -> Int -> ST s Progress
-run !extent (Running (Prepared scene rightward leftward) right left waiting stack written) !most !deep !before' = do
+run :: Running s -> Int -> Int -> Int -> ST s Progress
+run (Running (Prepared scene rightward leftward) right left waiting stack written) !most !deep !before' = do
   let
     go !size !count !depth !swept
       | count <= 0 || depth <= 0 || size > room - n = pure (Progress size depth swept (pieceOf []))
@@ -228,11 +208,11 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
     -- Is there a vertex with the pair of a and b, one of which is p, that may be swept now? Each edge of its line is
     -- the next pair of both of its corners, and no other unswept pair at its ends has a lesser slope.
     look which !size !count !depth !swept !p !a !b
-      | hasSplitEnds scene = if isBeyond then failed else readyTracks scene right left a b >>= maybe failed tracks
+      | hasSplitEnds scene = readyTracks scene right left a b >>= maybe failed tracks
       | otherwise = do
           there <- getList right (target a)
           back <- getList left (target b)
-          if there /= cornerList b || back /= cornerList a || isBeyond
+          if there /= cornerList b || back /= cornerList a
             then failed
             else do
               ahead <- getList right (target b)
@@ -245,9 +225,6 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
                     LeftTurn | LeftTurn <- onRight -> pair
                     _ -> beyond leftward left right b a >>= onLine
       where
-        isBeyond = case extent of
-          HalfTurn -> False
-          Quarter -> rises rightward a b
         failed = case which of
           RightFirst -> lookLeft size count depth swept p
           ThenLeft -> go size count depth swept
@@ -327,9 +304,7 @@ run !extent (Running (Prepared scene rightward leftward) right left waiting stac
       behind <- getList left (target p)
       when (isCornerList ahead) $ isLater p (listOwner ahead)
       when (isCornerList behind) $ isLater (listOwner behind) p
-    isLater a b = case extent of
-      Quarter | rises rightward a b -> pure ()
-      _ -> broken "the sweep goes on to the end of its range" (show (a, b))
+    isLater a b = broken "the sweep goes on to the end of its range" (show (a, b))
 
 -- | The turn at b from the line from a to the next pair of b in the same heading: left if there is none.
 continuing :: Frame -> Int -> Int -> List -> Turn

@@ -9,7 +9,6 @@ module Visibility.Sweep.HorizonTree.Frame
   , preceding
   , comesBefore
   , turnIn
-  , rises
   , sharePlace
     -- * Nodes of sides
   , markerOf
@@ -98,15 +97,6 @@ turnIn f a b c = case tableDecides (tablesOf f) of
     x i = fromIntegral (ofCorner f (4 * i))
     y i = fromIntegral (ofCorner f (4 * i + 1))
 {-# INLINE turnIn #-}
-
--- | Is the second corner higher than the first?
-rises :: Frame -> Int -> Int -> Bool
-rises f a b = case tableDecides (tablesOf f) of
-  Machine -> y a < y b
-  Other points -> isHigher (pointAt points b) (pointAt points a)
-  where
-    isHigher (LatticePoint _ up w) (LatticePoint _ up' w') = up * w' > up' * w
-    y i = ofCorner f (4 * i + 1)
 
 -- | Are two corners in one place?
 sharePlace :: Frame -> Int -> Int -> Bool
