@@ -28,7 +28,7 @@ EXE := bin/viscomplex
 # The Debian packages, and the same by the names and bounds of package.yaml.
 PACKAGES := ghc cabal-install hpack hspec-discover \
   libghc-aeson-dev libghc-criterion-dev libghc-diagrams-lib-dev libghc-diagrams-svg-dev \
-  libghc-double-conversion-dev libghc-hspec-dev libghc-optparse-applicative-dev libghc-primitive-dev \
+  libghc-hspec-dev libghc-optparse-applicative-dev libghc-primitive-dev \
   libghc-quickcheck2-dev libghc-splitmix-dev libghc-svg-builder-dev libghc-temporary-dev \
   libghc-vector-dev libghc-vector-algorithms-dev libghc-weigh-dev
 FIGURE_PACKAGES := librsvg2-bin

@@ -15,11 +15,11 @@ import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, byteString, char7, intDec, integerDec, string7)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Double.Conversion.ByteString (toShortest)
 import Data.Ratio (denominator, numerator)
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
+import Visibility.Exact.Shortest (shortest)
 import Visibility.FormFactor
 import Visibility.Scene
 
@@ -48,14 +48,14 @@ data Naming
 -- not, exactly, and so has the text: the factors of the side add up to that.
 exactDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FactorRow (Bytes.ByteString, RootSum)] -> Builder
 exactDocument format wanted naming scene =
-  document format naming (decimalBytes wanted . sideLength scene) scene "from,to,value,measure\n" entry
+  document format naming (decimalText wanted . sideLength scene) scene "from,to,value,measure\n" entry
   where
-    entry (value, measure) = Entry value (Just measure)
+    entry (value, measure) = Entry (byteString value) (Just measure)
 
 -- | The document of form factors as decimals of so many significant digits, of the same shape without measures.
 decimalDocument :: FactorFormat -> Digits -> Naming -> Scene -> [FactorRow Bytes.ByteString] -> Builder
 decimalDocument format wanted naming scene =
-  document format naming (decimalBytes wanted . sideLength scene) scene plainHeader (`Entry` Nothing)
+  document format naming (decimalText wanted . sideLength scene) scene plainHeader (\x -> Entry (byteString x) Nothing)
 
 plainHeader :: String
 plainHeader = "from,to,value\n"
@@ -67,21 +67,21 @@ plainHeader = "from,to,value\n"
 -- 'defaultDigits' that 'decimalDocument' writes. A form factor that is too small is 0: see 'nearestFactors'.
 nearestDocument :: FactorFormat -> Naming -> Scene -> [FactorRow Double] -> Builder
 nearestDocument format naming scene =
-  document format naming (lengthBytes . sideLength scene) scene plainHeader (\x -> Entry (toShortest x) Nothing)
+  document format naming (lengthText . sideLength scene) scene plainHeader (\x -> Entry (shortest x) Nothing)
   where
-    lengthBytes exact
-      | nearest > 0 && not (isInfinite nearest) = toShortest nearest
-      | otherwise = decimalBytes defaultDigits exact
+    lengthText exact
+      | nearest > 0 && not (isInfinite nearest) = shortest nearest
+      | otherwise = decimalText defaultDigits exact
       where
         nearest = nearestDouble exact
 
 -- | A form factor as it is written, and its measure where that is wanted.
-data Entry = Entry !Bytes.ByteString !(Maybe RootSum)
+data Entry = Entry !Builder !(Maybe RootSum)
 
 -- | Form factors by the side that they leave, each side having its row; with the text of a side's length and the header
 -- of CSV.
 document
-  :: FactorFormat -> Naming -> (SideName -> Bytes.ByteString) -> Scene -> String -> (a -> Entry) -> [FactorRow a] -> Builder
+  :: FactorFormat -> Naming -> (SideName -> Builder) -> Scene -> String -> (a -> Entry) -> [FactorRow a] -> Builder
 document format naming lengthOf scene header entry rows = case format of
   FactorsCsv -> string7 header <> foldMap line (concatMap entries rows)
   FactorsJson -> Aeson.fromEncoding (json naming lengthOf scene (concatMap entries rows)) <> char7 '\n'
@@ -91,8 +91,8 @@ document format naming lengthOf scene header entry rows = case format of
     line (from, to, found) = csvRow naming from to found
     block row = textBlock naming lengthOf scene (rowFrom row) [(to, entry x) | (to, x) <- rowFactors row]
 
-decimalBytes :: Digits -> RootSum -> Bytes.ByteString
-decimalBytes wanted = Bytes.pack . decimal wanted
+decimalText :: Digits -> RootSum -> Builder
+decimalText wanted = string7 . decimal wanted
 
 csvRow :: Naming -> SideName -> Seen -> Entry -> Builder
 csvRow naming from to (Entry value measure) =
@@ -100,7 +100,7 @@ csvRow naming from to (Entry value measure) =
     <> char7 ','
     <> seenBuilder naming to
     <> char7 ','
-    <> byteString value
+    <> value
     <> foldMap (\total -> char7 ',' <> rootSum total) measure
     <> char7 '\n'
 
@@ -125,7 +125,7 @@ nameOfSeen naming seen = case seen of
   TheSide s -> nameOf naming s
   TheSky -> seenText TheSky
 
-json :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> [(SideName, Seen, Entry)] -> Encoding
+json :: Naming -> (SideName -> Builder) -> Scene -> [(SideName, Seen, Entry)] -> Encoding
 json naming lengthOf scene entries =
   pairs $
     pair "format" (string "viscomplex/1")
@@ -135,13 +135,13 @@ json naming lengthOf scene entries =
     side s =
       pairs $
         pair "id" (ascii (sideBuilder naming s))
-          <> pair "length" (ascii (byteString (lengthOf s)))
+          <> pair "length" (ascii (lengthOf s))
           <> mconcat [pair "uncovered" (ascii (rationalBuilder part)) | part <- covering scene s]
     factor (from, to, Entry value measure) =
       pairs $
         pair "from" (ascii (sideBuilder naming from))
           <> pair "to" (ascii (seenBuilder naming to))
-          <> pair "value" (ascii (byteString value))
+          <> pair "value" (ascii value)
           <> foldMap (pair "measure" . exactTerms) measure
 
 -- | A text that needs no escapes.
@@ -159,18 +159,18 @@ exactTerms = list term . RootSum.terms
     term (c, n) = list ascii [rationalBuilder c, integerDec n]
 
 -- | What the light from one side reaches.
-textBlock :: Naming -> (SideName -> Bytes.ByteString) -> Scene -> SideName -> [(Seen, Entry)] -> Builder
+textBlock :: Naming -> (SideName -> Builder) -> Scene -> SideName -> [(Seen, Entry)] -> Builder
 textBlock naming lengthOf scene s entries =
   string7 "side "
     <> sideBuilder naming s
     <> string7 ", length "
-    <> byteString (lengthOf s)
+    <> lengthOf s
     <> foldMap (\part -> string7 ", " <> rationalBuilder part <> string7 " of it uncovered") (covering scene s)
     <> string7 ", sees\n"
     <> foldMap row entries
   where
     row (to, Entry value measure) =
-      string7 ("  " <> padded (nameOfSeen naming to)) <> byteString value <> foldMap exact measure <> char7 '\n'
+      string7 ("  " <> padded (nameOfSeen naming to)) <> value <> foldMap exact measure <> char7 '\n'
     padded text = text <> replicate (max 1 (10 - length text)) ' '
     exact total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
 
