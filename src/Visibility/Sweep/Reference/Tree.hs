@@ -1,0 +1,310 @@
+-- | A horizon tree as a text, over persistent maps: the tree edges of "Visibility.Sweep.Reference", and how the next one
+-- of a corner is found without a test of visibility.
+--
+-- What is proved here of all scenes is proved of polygons that do not touch; Note [Corners in one place] says how it is
+-- to be read where they do. Right and left, below and above are those of the scene turned by an infinitely small angle
+-- to the right, in which no two corners are one above the other: a vertical pair has the greatest slope of all.
+--
+-- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes. The proofs are this project's.
+module Visibility.Sweep.Reference.Tree
+  ( -- * The tree
+    Tree (..)
+  , Target (..)
+  , Rank
+  , planted
+  , cornerAhead
+    -- * To sweep a pair
+  , advance
+  , separated
+  , Change (..)
+  , Way (..)
+    -- * Chains
+  , isLinkable
+  , lastArrival
+  , hides
+  , turned
+  , besides
+  ) where
+
+import Data.List (foldl')
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Set (Set)
+import qualified Data.Set as Set
+import qualified Data.Vector.Unboxed as U
+import Visibility.Exact.Predicate
+import Visibility.Law (broken)
+import Visibility.Scene
+import Visibility.Sweep.Vertical
+
+-- | The next pairs of all corners in one heading. Seen 'Leftward' the scene is turned by 180°: right is left, above is
+-- below; slopes and turns stay. So one tree serves both, and all that is said of it here is said of the rightward one.
+data Tree = Tree
+  { heading :: !Heading
+  , targets :: !(Map CornerId Target)
+  -- ^ What the tree edge of a corner leads to. A corner whose remaining rays to the right are solid has none.
+  , arrivals :: !(Map Target (Map Rank CornerId))
+  -- ^ Whence something arrives at a target, from the uppermost to the lowest: tree edges, and at a corner the sides too
+  -- that lead to it from the left. What is both is there once.
+  , linked :: !(Set CornerId)
+  -- ^ The corners inside of convex chains, see Note [Chains].
+  , otherEnd :: !(Map CornerId CornerId)
+  -- ^ By the corner where the first edge of a chain begins, that where its last one does, and the other way round.
+  }
+  deriving (Eq, Show)
+
+-- | What a tree edge leads to.
+data Target
+  = -- | The far corner of the next pair.
+    ToCorner !CornerId
+  | -- | All pairs to the right are swept. The ray meets this side from below until it is vertical, as the edge is.
+    ToCeiling !SideId
+  | -- | The same with the sky in place of a side.
+    ToSky
+  deriving (Eq, Ord, Show)
+
+-- | The order of arrivals: by ascending slope, of a wall's two faces the upper one first; vertical ones from left to
+-- right.
+data Rank = Rank !Slope !Int
+  deriving (Eq, Ord, Show)
+
+newtype Slope = Slope Direction
+  deriving (Show)
+
+instance Eq Slope where
+  a == b = compare a b == EQ
+
+instance Ord Slope where
+  compare (Slope d) (Slope e) = compareDirections d e
+
+-- | How the next pair of p is found when (p, q) has been swept: by what the ray of p is up against when it has turned
+-- past q. The first three look at sides, the others at the tree edge of q.
+data Way
+  = -- | (p, q) is a side with its solid just above. The next free ray of p is along its other side, if that leads to the
+    -- right and is not below; if not, all is solid up to the vertical.
+    BesideSolid
+  | -- | A side of q stands in the way and leads on to the right, to this corner. The ray slides along it.
+    AlongSide !CornerId
+  | -- | A side of q stands in the way and leads back to the left, above p. The ray slides along its underside.
+    UnderSide !SideId
+  | -- | The ray passes q. The next pair of q leads to this corner, and nothing unswept comes from below it: so the ray
+    -- slides along it as along a side.
+    AlongEdge !CornerId
+  | -- | The ray passes q, of which all pairs to the right are swept. It slides along what q's own rays meet, up to the
+    -- vertical: the underside of a ceiling, or the sky.
+    UnderCeiling !Target
+  deriving (Eq, Ord, Show)
+
+-- | One pair swept, in one tree.
+data Change = Change
+  { changedHeading :: !Heading
+  , changedCorner :: !CornerId
+  , sweptTo :: !CornerId
+  , foundBy :: !Way
+  , passed :: ![CornerId]
+  -- ^ The near set: corners of the chain before the one where the tangent touches it, the leaf first.
+  , nextTarget :: !(Maybe Target)
+  }
+  deriving (Eq, Show)
+
+-- | The tree just above −90°, from what is below each corner. /Cost/ O(n log n).
+--
+-- Corners are visited from right to left. For each object that the vertical meets, the lower hull of the corners
+-- visited above it is kept, the nearest corner first: that is what a ray turning up from the object meets.
+planted :: Scene -> Vertical -> Heading -> Tree
+planted scene vertical way = foldl' (relinked scene) (foldl' grown bare (Map.toList firsts)) (corners scene)
+  where
+    bare =
+      Tree
+        { heading = way
+        , targets = Map.empty
+        , arrivals = foldl' (\found (p, q) -> arriving scene way (ToCorner q) p found) Map.empty sidesAhead
+        , linked = Set.empty
+        , otherEnd = Map.empty
+        }
+    sidesAhead = [(p, q) | p <- corners scene, q <- besides scene p, comesBefore way p q]
+    grown tree (p, t) = grownBy scene tree p t
+    firsts = snd (foldl' visit (Map.empty, Map.empty) (reverse (along way (cornerCount scene))))
+    objectsBelow = (case way of Rightward -> floors; Leftward -> ceilings) vertical
+    visit (hulls, found) c = (started (maybe hulls (\o -> Map.insert o (p : hull o) hulls) below), targeted found)
+      where
+        p = CornerId c
+        below = objectOf scene (fromIntegral (objectsBelow U.! c))
+        hull o = fromTangent (Map.findWithDefault [] o hulls)
+        fromTangent (a : b : rest) | turned scene p a b == RightTurn = fromTangent (b : rest)
+        fromTangent rest = rest
+        targeted = maybe id (Map.insert p) $ case below of
+          Just o -> Just (maybe ToSky ToCorner (listToMaybe (hull o)))
+          Nothing -> ToCorner <$> lowest (filter (comesBefore way p) (besides scene p))
+        lowest [a, b] | turned scene p a b == RightTurn = Just b
+        lowest sides' = listToMaybe sides'
+        -- Solid is on the left of a side: the one from p to a corner on the left is free above, and met from here on.
+        started = if comesBefore way (nextCorner scene p) p then Map.insert (Side (SideId c)) [p] else id
+
+-- | Makes the tree edge of a corner the leaf of its chain. /Requires/ that so is what arrives there last.
+separated :: Tree -> CornerId -> Tree
+separated tree p = case lastArrival tree (ToCorner p) of
+  Just e | p `Set.member` linked tree -> cut tree p e
+  _ -> tree
+
+-- | The tree edge of p has been swept: finds the next one. See Note [Next pair].
+advance :: Scene -> Tree -> CornerId -> (Tree, Change)
+advance scene tree p = case cornerAhead tree p of
+  Nothing -> broken "what is swept is a tree edge" (show p)
+  Just q -> case firstAim scene bare p q way of
+    Nothing -> (bare, Change (heading tree) p q way [] Nothing)
+    Just (aim, below) -> (attached scene opened p found, Change (heading tree) p q way near (Just found))
+      where
+        (near, found, opened) = tangent scene bare p aim below
+    where
+      bare = released scene tree p q
+      way = wayPast scene bare p q
+
+-- | The tree without the edge from p to q. That is the leaf of its chain, which is cut where it goes on beyond q.
+released :: Scene -> Tree -> CornerId -> CornerId -> Tree
+released scene tree p q = relinked scene bare q
+  where
+    atQ = ToCorner q
+    apart = if q `Set.member` linked tree && lastArrival tree atQ == Just p then cut tree q p else tree
+    bare =
+      apart
+        { targets = Map.delete p (targets apart)
+        , arrivals = if q `elem` besides scene p then arrivals apart else Map.adjust without atQ (arrivals apart)
+        , otherEnd = Map.delete p (otherEnd apart)
+        }
+    without = Map.delete (rankOf scene (heading tree) atQ p)
+
+-- | What the ray of p is up against when it has turned past q.
+wayPast :: Scene -> Tree -> CornerId -> CornerId -> Way
+wayPast scene tree p q
+  | nextCorner scene p == q && previousCorner scene p /= q = BesideSolid
+  | x /= p && turned scene p q x == LeftTurn = if goesTo tree q x then AlongSide x else UnderSide (sideFrom x)
+  | otherwise = case Map.lookup q (targets tree) of
+      Just (ToCorner y) -> AlongEdge y
+      Just roof -> UnderCeiling roof
+      Nothing -> broken "a ray that passes a corner finds its tree edge" (show (p, q))
+  where
+    -- Solid is on the left of the way from x to q: where two sides of q are in the way, this one is met first.
+    x = previousCorner scene q
+    sideFrom (CornerId c) = SideId c
+
+-- | What the ray would meet if no chain hid it, and what arrives there next below it.
+firstAim :: Scene -> Tree -> CornerId -> CornerId -> Way -> Maybe (Target, Maybe CornerId)
+firstAim scene tree p q way = case way of
+  BesideSolid
+    | goesTo tree p r && turned scene p q r /= RightTurn -> Just (ToCorner r, Nothing)
+    | otherwise -> Nothing
+    where
+      r = previousCorner scene p
+  AlongSide x -> Just (ToCorner x, before' (ToCorner x))
+  AlongEdge x -> Just (ToCorner x, before' (ToCorner x))
+  UnderSide s -> Just (under (ToCeiling s) (lastArrival tree (ToCeiling s)))
+  UnderCeiling roof -> Just (under roof (before' roof))
+  where
+    before' t = snd <$> Map.lookupLT (rankOf scene (heading tree) t q) (Map.findWithDefault Map.empty t (arrivals tree))
+    -- Going back to the left along a ceiling: to the last corner under it, or else to its left end.
+    under roof below = case (below, roof) of
+      (Just e, _) | isAhead e -> (roof, below)
+      (_, ToCeiling (SideId a)) | end <- CornerId a, isAhead end -> (ToCorner end, lastArrival tree (ToCorner end))
+      _ -> (roof, below)
+    isAhead c = goesTo tree p c && not (samePlace scene p c)
+
+-- | Follows the tangent from p to the chain whose last edge goes from a corner to what p aims at: the corners passed, the
+-- corner where the tangent touches the chain, and the tree with the chain cut there. Where nothing hides what p aims
+-- at, that is found itself. The chain is searched from its leaf on.
+tangent :: Scene -> Tree -> CornerId -> Target -> Maybe CornerId -> ([CornerId], Target, Tree)
+tangent scene tree p aim below = case below of
+  Just top | Map.lookup top (targets tree) == Just aim, hides scene tree top p -> search [] leaf
+    where
+      leaf = Map.findWithDefault top top (otherEnd tree)
+      search near c
+        | not (hides scene tree c p), Just c' <- cornerAhead tree c = search (c : near) c'
+        | null near = ([], ToCorner c, tree)
+        | otherwise = (reverse near, ToCorner c, cut tree c leaf)
+  _ -> ([], aim, tree)
+
+-- | Does the tree edge of s hide its target from p? One from the place of p never does: it lies in another cone of free
+-- space there.
+hides :: Scene -> Tree -> CornerId -> CornerId -> Bool
+hides scene tree s p = goesTo tree p s && not (samePlace scene p s) && isAbove
+  where
+    isAbove = maybe True (\t -> turned scene s t p /= RightTurn) (cornerAhead tree s)
+
+-- | Gives p this target.
+attached :: Scene -> Tree -> CornerId -> Target -> Tree
+attached scene tree p t = foldl' (relinked scene) (grownBy scene tree p t) ([c | ToCorner c <- [t]] <> [p])
+
+-- | The tree with one more edge, a chain of its own.
+grownBy :: Scene -> Tree -> CornerId -> Target -> Tree
+grownBy scene tree p t =
+  tree
+    { targets = Map.insert p t (targets tree)
+    , arrivals = arriving scene (heading tree) t p (arrivals tree)
+    , otherEnd = Map.insert p p (otherEnd tree)
+    }
+
+-- | Joins the chain that ends at a corner and the one that begins there, if they may be joined.
+relinked :: Scene -> Tree -> CornerId -> Tree
+relinked scene tree t
+  | t `Set.notMember` linked tree && isLinkable scene tree t
+  , Just e <- lastArrival tree (ToCorner t)
+  , Just leaf <- Map.lookup e (otherEnd tree)
+  , Just top <- Map.lookup t (otherEnd tree) =
+      tree {linked = Set.insert t (linked tree), otherEnd = chain leaf top (otherEnd tree)}
+  | otherwise = tree
+
+-- | May a chain pass through a corner? See Note [Chains].
+isLinkable :: Scene -> Tree -> CornerId -> Bool
+isLinkable scene tree t = case (lastArrival tree (ToCorner t), Map.lookup t (targets tree)) of
+  (Just s, Just ahead) -> cornerAhead tree s == Just t && bends s && not (any (isBelow ahead) (besides scene t))
+  _ -> False
+  where
+    bends s = maybe True (\x -> turned scene s t x /= RightTurn) (cornerAhead tree t)
+    isBelow ahead x =
+      goesTo tree t x && ahead /= ToCorner x && maybe True (\y -> turned scene t x y == LeftTurn) (cornerAhead tree t)
+
+-- | Cuts a chain, given its leaf, at a linked corner.
+cut :: Tree -> CornerId -> CornerId -> Tree
+cut tree t leaf = tree {linked = Set.delete t (linked tree), otherEnd = chain t top (chain leaf end (otherEnd tree))}
+  where
+    end = fromMaybe leaf (lastArrival tree (ToCorner t))
+    top = Map.findWithDefault t leaf (otherEnd tree)
+
+-- | A chain from its leaf to its top.
+chain :: CornerId -> CornerId -> Map CornerId CornerId -> Map CornerId CornerId
+chain leaf top = Map.insert leaf top . Map.insert top leaf
+
+-- | The lowest arrival.
+lastArrival :: Tree -> Target -> Maybe CornerId
+lastArrival tree t = Map.lookup t (arrivals tree) >>= fmap snd . Map.lookupMax
+
+arriving :: Scene -> Heading -> Target -> CornerId -> Map Target (Map Rank CornerId) -> Map Target (Map Rank CornerId)
+arriving scene way t p = Map.insertWith Map.union t (Map.singleton (rankOf scene way t p) p)
+
+rankOf :: Scene -> Heading -> Target -> CornerId -> Rank
+rankOf scene way t p@(CornerId s) = case t of
+  ToCorner q@(CornerId c) -> Rank (Slope (direction (scenePoints scene) (min s c) (max s c))) (if isLower q then 1 else 0)
+  _ -> Rank (Slope upwards) (case way of Rightward -> s; Leftward -> negate s)
+  where
+    isLower q = nextCorner scene p == q
+
+-- | The corner that a corner's tree edge leads to, where it leads to one.
+cornerAhead :: Tree -> CornerId -> Maybe CornerId
+cornerAhead tree p = case Map.lookup p (targets tree) of
+  Just (ToCorner q) -> Just q
+  _ -> Nothing
+
+-- | The corners at the other ends of the two sides of a corner.
+besides :: Scene -> CornerId -> [CornerId]
+besides scene c = [nextCorner scene c, previousCorner scene c]
+
+-- | Is the second corner ahead of the first, seen by the heading?
+goesTo :: Tree -> CornerId -> CornerId -> Bool
+goesTo tree = comesBefore (heading tree)
+
+comesBefore :: Heading -> CornerId -> CornerId -> Bool
+comesBefore way (CornerId p) (CornerId q) = before way p q
+
+turned :: Scene -> CornerId -> CornerId -> CornerId -> Turn
+turned scene (CornerId a) (CornerId b) (CornerId c) = turn (scenePoints scene) a b c
