@@ -25,6 +25,7 @@ module Options
 import Control.Applicative ((<**>))
 import Data.List (intercalate)
 import qualified Data.Text as Text
+import Data.Version (showVersion)
 import Options.Applicative
   ( InfoMod
   , ParseError (ErrorMsg)
@@ -58,6 +59,7 @@ import Options.Applicative
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
+import qualified Paths_viscomplex as Paths
 import Options.Draw
 import Options.Factors
 import Options.Mesh
@@ -124,7 +126,7 @@ whole =
           \'viscomplex COMMAND --help' explains a command."
     )
   where
-    version = infoOption "viscomplex 0.7.0.0" (long "version" <> help "Print the version.")
+    version = infoOption ("viscomplex " <> showVersion Paths.version) (long "version" <> help "Print the version.")
 
 commands :: Parser (Either Mistake Command)
 commands =

@@ -72,6 +72,11 @@ spec = do
         map pairOf pairs `shouldBe` sort (map pairOf pairs)
         all (uncurry (<) . pairOf) pairs `shouldBe` True
 
+  it "says the version of package.yaml" $ do
+    stated <- filter ("version: " `isPrefixOf`) . lines <$> readFile "package.yaml"
+    said <- output ["--version"] ""
+    ["version: " <> drop (length ("viscomplex " :: String)) line | line <- lines said] `shouldBe` stated
+
   describe "info" $
     it "says how many signs were decided, and how many the filter left to integers" $ do
       let signs arguments = lookup "signs" . infoLines <$> output ("info" : arguments) ""

@@ -19,7 +19,7 @@ none() { tail -n 5 "$log"; echo "bare: there is no bare Debian: $1"; exit 2; }
 
 [ "$(id -u)" = 0 ] || none 'this needs root.'
 if ! command -v debootstrap > /dev/null; then
-  { apt-get update && apt-get install -y --no-install-recommends debootstrap; } >> "$log" 2>&1 < /dev/null ||
+  { apt-get update && apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 debootstrap; } >> "$log" 2>&1 < /dev/null ||
     none 'debootstrap is not installed, and could not be.'
 fi
 

@@ -19,9 +19,17 @@ cabal() {
   fi
 }
 
+# Writes viscomplex.cabal from package.yaml, if there is hpack and it would be another; without hpack's own version.
+describe() {
+  local described
+  command -v hpack > /dev/null || return 0
+  described=$(hpack package.yaml - | sed -E 's/^(-- This file has been generated .* hpack) version .*/\1./') || return 1
+  [ "$described" = "$(cat viscomplex.cabal 2> /dev/null)" ] || printf '%s\n' "$described" > viscomplex.cabal
+}
+
 # Where DESCRIBED is set, viscomplex.cabal has been written: two builds at once must not both do it.
 build() {
-  [ -n "${DESCRIBED-}" ] || hpack --silent --force || return 1
+  [ -n "${DESCRIBED-}" ] || describe || return 1
   cabal build --builddir="$BUILDDIR" ${CABAL_FLAGS[@]+"${CABAL_FLAGS[@]}"} "$@"
 }
 

@@ -46,7 +46,7 @@ for tool in ghc cabal hpack; do
 done
 echo
 if [ -n "$missing" ]; then echo "Missing:$missing. Install and run make again."; exit 1; fi
-hpack --silent --force
+describe
 if type -P hspec-discover > /dev/null && cabal build --dry-run all > /dev/null 2>&1; then
   touch $marker-system
   echo 'All three are here, and the installed Haskell packages suffice: going on without Hackage.'

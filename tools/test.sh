@@ -30,7 +30,7 @@ mkdir -p "$BUILDDIR"
 # hspec-discover runs only when Spec.hs is compiled, so a new spec must touch it.
 specs=$(find test -name '*Spec.hs' | sort)
 if [ "$specs" != "$(cat "$BUILDDIR/specs" 2> /dev/null)" ]; then touch test/Spec.hs; echo "$specs" > "$BUILDDIR/specs"; fi
-hpack --silent --force
+describe
 export DESCRIBED=yes
 
 # level, options of cabal: builds, and runs the suite with the options of hspec in the array `chosen`.

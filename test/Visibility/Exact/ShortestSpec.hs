@@ -26,9 +26,10 @@ ends x = (half (value (bits - 1)), half (value (bits + 1)))
 -- | The shortest decimal of a positive Double by trial, its figures and the power of ten of the last one: with ever more
 -- of them, the nearest one on either side, if one is within the ends.
 byTrial :: Double -> (Integer, Int)
-byTrial x = head [nearest | k <- [309, 308 ..], nearest <- take 1 (candidates k)]
+byTrial x = head [nearest | k <- [most, most - 1 ..], nearest <- take 1 (candidates k)]
   where
     exact = toRational x
+    most = ceiling (logBase 10 x) + 1 :: Int
     (low, high) = ends x
     closed = even (castDoubleToWord64 x)
     inside q = if closed then low <= q && q <= high else low < q && q < high
