@@ -47,12 +47,14 @@ common = Common <$> scene <*> arithmetic <*> scheduler
         )
     scheduler =
       option
-        (oneOf [("topological", Topological), ("straight", Straight)])
+        (oneOf [("topological", Topological), ("straight", Straight), ("reference", Reference)])
         ( long "scheduler"
-            <> metavar "topological|straight"
+            <> metavar "topological|straight|reference"
             <> value Topological
             <> showDefaultWith (const "topological")
-            <> help "The order in which vertices are swept: any legal one, or by direction. The result is the same."
+            <> help
+              "The order in which vertices are swept: any legal one, or by direction. The result is the same. reference \
+              \sweeps as topological does, by a slower program that is written to be read."
         )
 
 graphOptions :: Parser GraphOptions

@@ -132,17 +132,20 @@ topologySection degenerateFolder progress plan folder = do
       pure (found, Text.unpack (familyPurpose kind) <> "; N = " <> show n)
     graphCommands = [["graph"], ["graph", "--unsorted"]]
     sizesOf found =
-      [caseName found, show (cornerCount (caseScene found)), show (pairsSwept (finish (caseScene found)))]
+      [caseName found, show (cornerCount (caseScene found)), show (pairsOf (caseScene found))]
     caption =
       "Random quadrilaterals: processor time in µs per elementary visible pair against the number of corners, both \
       \logarithmic, for each arithmetic under the topological sweep, and for the straight sweep in filtered arithmetic \
       \and brute force in integers. Lower is better; a level line is time in proportion to the output. The rational \
       \baseline computes on lattice integers, with denominator 1."
 
+pairsOf :: Scene -> Int
+pairsOf scene = sum (map (length . vertexPairs scene) (vertices scene))
+
 rowsOf :: Plan -> Case -> IO [Row]
 rowsOf plan found = do
   let truth = sort (straightVertices (underArithmetic Exact scene))
-      pairs = pairsSwept (finish scene)
+      pairs = pairsOf scene
       row arithmetic scheduler = Row found pairs arithmetic scheduler
       safe name arithmetic scheduler = do
         let under = underArithmetic arithmetic scene
@@ -170,6 +173,7 @@ rowsOf plan found = do
 schedulerWord :: Scheduler -> String
 schedulerWord Topological = "topological"
 schedulerWord Straight = "straight"
+schedulerWord Reference = "reference"
 
 -- | Doubles: first in a process of their own.
 unsafeRow :: Plan -> Case -> Int -> [Vertex] -> Scheduler -> IO Row

@@ -27,7 +27,8 @@ import Visibility.FormFactor (measureList, measures)
 import Visibility.Scene (Scene, cornerCount, cornerPoint, corners)
 import Visibility.Scene.Family
 import Visibility.Sight (Viewpoint (..))
-import Visibility.Sweep (finish, pairsSwept, stepsTaken, straightVertices, vertices)
+import Visibility.Test.SweepLaw (searchWork)
+import Visibility.Sweep (straightVertices, vertexPairs, vertices)
 import Visibility.Test.Scan (scan)
 
 main :: IO ()
@@ -82,7 +83,7 @@ main = do
   let scenes = map (sceneOf Random) [25, 100, 400]
   times <- bestTimes scenes (\s -> length (measureList s (measures s (vertices s))))
   forM_ (zip scenes times) $ \(scene, seconds) -> do
-    let pairs = pairsSwept (finish scene)
+    let pairs = pairCount scene
     putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (seconds / fromIntegral pairs)])
 
 -- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of
@@ -124,6 +125,9 @@ scanned scene walking = case take 1 (lookouts (locator (complexOf scene))) of
     pure [microseconds seconds, showFFloat (Just 0) (seconds / walking) ""]
   _ -> pure []
 
+pairCount :: Scene -> Int
+pairCount scene = sum (map (length . vertexPairs scene) (vertices scene))
+
 data Rung = Rung
   { rungCorners :: !Int
   , rungPairs :: !Int
@@ -134,9 +138,7 @@ data Rung = Rung
 
 measured :: Scene -> Double -> IO Rung
 measured scene seconds = do
-  let final = finish scene
-      pairs = pairsSwept final
-  steps <- evaluate (stepsTaken scene final)
+  (pairs, steps) <- evaluate (searchWork scene)
   held <- newIORef scene
   before <- allocated_bytes <$> getRTSStats
   _ <- readIORef held >>= evaluate . length . vertices

@@ -1,17 +1,19 @@
--- | The sweeps of the visibility complex: the topological one, the straight one, and brute force as their oracle.
+-- | The sweeps of the visibility complex: the topological one, fast and as a text, the straight one, and brute force as
+-- their oracle.
 --
--- +--------------------+------------------+-------------+-----------------------------------+
--- | algorithm          | time             | live memory | source                            |
--- +====================+==================+=============+===================================+
--- | 'vertices'         | O(m + n log n)   | O(n)        | Rivière, horizon trees            |
--- +--------------------+------------------+-------------+-----------------------------------+
--- | 'straightVertices' | O((m + n) log n) | O(n)        | Orti and others, queue over faces |
--- +--------------------+------------------+-------------+-----------------------------------+
--- | 'bruteForce'       | O(n³)            | O(m)        | the definition                    |
--- +--------------------+------------------+-------------+-----------------------------------+
+-- +---------------------+--------------------+-------------+-----------------------------------+
+-- | algorithm           | time               | live memory | source                            |
+-- +=====================+====================+=============+===================================+
+-- | 'vertices'          | O(m + n log n)     | O(n)        | Rivière, horizon trees            |
+-- +---------------------+--------------------+-------------+-----------------------------------+
+-- | 'referenceVertices' | O((m + n) log n)   | O(n)        | the same, over persistent maps    |
+-- +---------------------+--------------------+-------------+-----------------------------------+
+-- | 'straightVertices'  | O((m + n) log n)   | O(n)        | Orti and others, queue over faces |
+-- +---------------------+--------------------+-------------+-----------------------------------+
+-- | 'bruteForce'        | O(n³)              | O(m)        | the definition                    |
+-- +---------------------+--------------------+-------------+-----------------------------------+
 --
--- n corners, m elementary visible pairs. That the chain steps of 'vertices' are O(m) is proved by Rivière for a scan
--- from one end; for the scan from both ends that is used here it is measured.
+-- n corners, m elementary visible pairs. docs/scan-bound.md proves the bound of the topological sweep.
 module Visibility.Sweep
   ( -- * Vertices
     Vertex (..)
@@ -36,22 +38,19 @@ module Visibility.Sweep
     -- * The topological sweep
   , vertices
   , verticesInPieces
-  , Sweep
-  , start
-  , step
-  , trace
-  , finish
-  , stepsTaken
-  , pairsSwept
+  , referenceVertices
     -- * The straight sweep
   , straightVertices
     -- * The oracle
   , bruteForce
   ) where
 
-import Visibility.Scene (Scene)
+import Data.List (unfoldr)
+import Visibility.Law (broken)
+import Visibility.Scene (Scene, cornerCount)
 import Visibility.Sweep.BruteForce
 import Visibility.Sweep.Piece
+import qualified Visibility.Sweep.Reference as Reference
 import Visibility.Sweep.Straight
 import Visibility.Sweep.Topological
 import Visibility.Sweep.Vertex
@@ -62,14 +61,27 @@ data Scheduler
     Topological
   | -- | By direction: the canonical order.
     Straight
+  | -- | The same order as the topological sweep, by the pure steps of "Visibility.Sweep.Reference".
+    Reference
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | All vertices of a scene, lazily, in the order of a scheduler.
 verticesBy :: Scheduler -> Scene -> [Vertex]
 verticesBy Topological = vertices
 verticesBy Straight = straightVertices
+verticesBy Reference = referenceVertices
+
+-- | All vertices of the complex, lazily, by pure steps over persistent maps.
+--
+-- /Laws/ @referenceVertices s == vertices s@.
+referenceVertices :: Scene -> [Vertex]
+referenceVertices scene = zipWith const (unfoldr (Reference.step scene) (Reference.start scene)) (replicate most () <> more)
+  where
+    most = cornerCount scene * (cornerCount scene - 1) `div` 2
+    -- Unsafe arithmetic may go round in circles.
+    more = broken "each elementary pair is swept once" (show most)
 
 -- | The same vertices in the same order, in pieces of many vertices each.
 piecesBy :: Scheduler -> Scene -> [Piece]
 piecesBy Topological = verticesInPieces
-piecesBy Straight = inPieces . straightVertices
+piecesBy scheduler = inPieces . verticesBy scheduler

@@ -5,7 +5,6 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Tuple (swap)
-import qualified Data.Vector.Unboxed as U
 import Test.Hspec hiding (pending)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
@@ -15,9 +14,10 @@ import Visibility.Scene
 import Visibility.Scene.Family
 import Visibility.Scene.Raw (RawScene)
 import Visibility.Sweep
-import Visibility.Sweep.Topological (Sweep (..))
+import Visibility.Sweep.Reference (State (..), start, step)
 import Visibility.Test.Generator
 import Visibility.Test.Metamorphic
+import Visibility.Test.SweepLaw (searchWork)
 
 spec :: Spec
 spec = do
@@ -37,29 +37,13 @@ spec = do
       it "are the same set whatever order the corners are tried in, each order topological" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              n = cornerCount scene
-           in forAll (shuffle [0 .. n - 1]) $ \order ->
-                let found = unfoldr (step scene) (start scene) {pending = U.fromList (map fromIntegral order)}
+           in forAll (shuffle (corners scene)) $ \order ->
+                let found = unfoldr (step scene) (start scene) {pending = order}
                  in (sort found, outOfOrder scene found) === (sort (vertices scene), [])
-      it "are the unfolded steps" $
-        property $ \(LatticeScene s) ->
-          let scene = sampleScene s
-           in vertices scene === unfoldr (step scene) (start scene)
-    it "are the unfolded steps in scenes swept in several pieces" $
-      once . onFamilies 12 $ \scene -> vertices scene === unfoldr (step scene) (start scene)
+    it "are those of the reference in scenes swept in several pieces" $
+      once . onFamilies 12 $ \scene -> vertices scene === referenceVertices scene
     it "are those of brute force in small scenes of every family" $
       once . onFamilies 12 $ \scene -> sort (vertices scene) === bruteForce scene
-  describe "the state" $ do
-    it "counts the pairs swept" $
-      property $ \(LatticeScene s) ->
-        let scene = sampleScene s
-         in [pairsSwept state | (_, state) <- trace scene]
-              === drop 1 (scanl (\k v -> k + length (vertexPairs scene v)) 0 (vertices scene))
-    it "at the end is that after the last step" $
-      property $ \(LatticeScene s) ->
-        let scene = sampleScene s
-            swept state = (rightTree state, leftTree state, pairsSwept state)
-         in swept (finish scene) === swept (foldl (\_ (_, state) -> state) (start scene) (trace scene))
   describe "the graph" $
     modifyMaxSuccess (* 3) $ do
       it "keeps under maps that keep lines" $
@@ -93,12 +77,8 @@ spec = do
                       ]
                     found -> [counterexample (show found) False]
   describe "the work" $ do
-    it "is less than two chain steps per pair and tree, on long chains and aligned corners too" $
-      [ (name, stepsTaken scene end, pairsSwept end)
-      | (name, scene) <- hardScenes
-      , let end = finish scene
-      , stepsTaken scene end >= 4 * pairsSwept end
-      ]
+    it "is less than two edges of chains per pair and tree, on long chains and aligned corners too" $
+      [(name, edges, pairs) | (name, scene) <- hardScenes, let (pairs, edges) = searchWork scene, edges >= 4 * pairs]
         `shouldBe` []
     it "is measured on scenes that are valid" $
       map fst hardScenes `shouldSatisfy` ((== 7) . length)
@@ -113,9 +93,7 @@ spec = do
   where
     ordered (a, b) = (min a b, max a b)
     splitPlace scene split = fromMaybe (Point 0 0) (statedPoint scene (splitCorner split))
-    perPair scene =
-      let end = finish scene
-       in fromIntegral (stepsTaken scene end) / fromIntegral (pairsSwept end) :: Double
+    perPair scene = let (pairs, edges) = searchWork scene in fromIntegral edges / fromIntegral pairs :: Double
 
 -- | The uncovered pieces of sides that hold a point between their ends, by their ends.
 cutPieces :: Scene -> Point -> [(Point, Point)]

@@ -40,6 +40,7 @@ infoText scene scheduler counts signs seconds =
 schedulerText :: Scheduler -> String
 schedulerText Topological = "topological"
 schedulerText Straight = "straight"
+schedulerText Reference = "reference"
 
 -- | The arithmetic, and what it comes to for this scene.
 arithmeticText :: Scene -> String

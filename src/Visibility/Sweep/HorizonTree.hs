@@ -9,27 +9,18 @@
 -- convex chains with double pointers); Overmars and Welzl (rotation trees). The scan from both ends, the sky as a
 -- target and the treatment of collinear corners are this project's.
 module Visibility.Sweep.HorizonTree
-  ( -- * The tree
-    Target (..)
-  , targetOf
-  , chainSteps
-    -- * One step
-  , advance
+  ( -- * To sweep pairs
+    advance
   , sweepLine
-    -- * To plant it
+    -- * To plant a tree
   , relink
   , insertAfter
-    -- * For checks
-  , linkable
   ) where
 
 import Control.Monad (forM_, unless, when)
 import Control.Monad.ST (ST)
-import Data.Int (Int32)
-import Data.Primitive.PrimArray (MutablePrimArray, readPrimArray)
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
-import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
 
@@ -49,59 +40,24 @@ import Visibility.Sweep.HorizonTree.Table
 -- tangent to it can be searched from both ends. Equality matters: were collinear corners not linked, aligned scenes
 -- would be scanned corner by corner, in quadratic time.
 
--- | What a tree edge leads to.
-data Target
-  = -- | The far end of an elementary pair.
-    ToCorner !CornerId
-  | -- | All forward pairs are swept; the rays meet this side from below until they are vertical.
-    ToCeiling !SideId
-  | -- | All forward pairs are swept; the rays meet the sky until they are vertical.
-    ToSky
-  | -- | The remaining forward rays are solid.
-    NoTarget
-  deriving (Eq, Ord, Show)
-
--- | The target of a corner's tree edge.
-targetOf :: Scene -> Table -> CornerId -> Target
-targetOf scene table (CornerId p)
-  | l == noList = NoTarget
-  | isCornerList l = ToCorner (CornerId (listOwner l))
-  | l == skyList (cornerCount scene) = ToSky
-  | otherwise = ToCeiling (SideId (listOwner l))
-  where
-    l = listAt table (target p)
-
--- | How many edges of convex chains have been looked at since the start.
-chainSteps :: Scene -> Table -> Int
-chainSteps scene table = at table (counter (cornerCount scene))
-
--- | Sweeps one vertex of more than two corners: so many pairs, the k-th of them from its source to its target in the
--- order of the heading as given, each pair being the tree edge of its source, or the next one after that along a wall's
--- other face. The sources stand in a table, the first at the given place, each at so many places from the one before.
+-- | Sweeps the tree edges of corners on a line, given from the last one to the first. Before, all of them are made the
+-- leaves of their chains; and each once more when it is swept, since of a wall's two faces the first one that is swept
+-- may leave its corner linked to the second one.
 --
--- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per pair besides the chain steps, which are counted.
-sweepLine :: Frame -> Growing s -> MutablePrimArray s Int32 -> Int -> Int -> Int -> ST s ()
-sweepLine f tree table !size !begin !stride = do
-  forM_ [1 .. size - 1] separate
-  advanceFrom (size - 1)
-  where
-    sourceOf k = fromIntegral <$> readPrimArray table (begin + k * stride)
-    -- Makes the last edge into the source of a pair the leaf of its chain, as every edge of the line must be.
-    separate k = do
-      q <- sourceOf k
-      isLinked <- get tree (link q)
-      when (isLinked == 1) $ do
-        e <- getNode tree (final (cornerList q))
-        highest <- getNode tree (top e)
-        cut tree q e highest
-    -- All pairs, the furthest first. When the first of a wall's two faces has been swept, its corner may have been
-    -- linked to the second one.
-    advanceFrom k
-      | k < 0 = pure ()
-      | otherwise = do
-          when (k > 0 && k < size - 1) $ separate k
-          sourceOf k >>= advance f tree
-          advanceFrom (k - 1)
+-- /Requires/ the vertex is ready in both trees. /Cost/ O(1) per pair besides the chain steps.
+sweepLine :: Frame -> Growing s -> [Int] -> ST s ()
+sweepLine f tree line = do
+  mapM_ (separate tree) (reverse line)
+  forM_ line $ \p -> separate tree p >> advance f tree p
+
+-- | Makes the tree edge of a corner the leaf of its chain. /Requires/ that so is what arrives there last.
+separate :: Growing s -> Int -> ST s ()
+separate tree !p = do
+  isLinked <- get tree (link p)
+  when (isLinked == 1) $ do
+    e <- getNode tree (final (cornerList p))
+    highest <- getNode tree (top e)
+    cut tree p e highest
 
 -- | The tree edge of p, which leads to a corner, has been swept: find the next one.
 advance :: Frame -> Growing s -> Int -> ST s ()
@@ -167,67 +123,29 @@ underCeiling f tree !p !l !e
           getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
       | otherwise = settle f tree p l e
 
--- | Follows the convex chains that hide the target l from p, where e is the last edge into l below p's ray; makes the
--- corner at which the tangent from p touches the last of them the target, or l if nothing hides it. Each chain is
--- searched from both of its ends by turns, so the cost is at most twice the distance to the nearer one.
+-- | Follows the tangent from p to the chain whose last edge is e, the last edge into the target l below p's ray, where
+-- that hides l: the corner at which the tangent touches the chain becomes the target of p. Where nothing hides l, that
+-- does. The chain is searched from its leaf on.
 settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 settle f tree !p !l !e = do
-  countStep f tree
   hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
   if hidden
     then do
       deepest <- getNode tree (leaf e)
-      alongChain f tree p e deepest deepest e
+      search deepest deepest
     else attach f tree p l e
-
--- Note [Jumps]
--- ~~~~~~~~~~~~
--- 'alongChain' and 'touching' go on by calling each other last. Were the corner that is touched a result instead, it
--- would be a boxed number, allocated for every chain.
-
--- | Searches the chain with this top and leaf for the corner where the tangent from p touches it. The far end goes down
--- from the top, the near end up from the leaf; hiding is monotone along the chain. The last two nodes are the ends
--- reached.
-alongChain :: Frame -> Growing s -> Int -> Node -> Node -> Node -> Node -> ST s ()
-alongChain f tree !p !highest !deepest !near !e = do
-  countStep f tree
-  !t <- getSource tree e
-  isLinked <- get tree (link t)
-  if isLinked == 0
-    then touching f tree p highest deepest t
-    else do
-      e' <- getNode tree (final (cornerList t))
-      far <- hides f tree p e'
-      if not far
-        then touching f tree p highest deepest t
-        else do
-          found <- if near == e' then pure True else hides f tree p near
-          !s <- getSource tree near
-          if found
-            then touching f tree p highest deepest s
-            else do
-              l <- getList tree (target s)
-              near' <- getNode tree (edge (listOwner l))
-              alongChain f tree p highest deepest near' e'
-
--- | The tangent from p touches the chain with this top and leaf at t: that is p's target, unless another chain, which
--- ends at t, hides it.
-touching :: Frame -> Growing s -> Int -> Node -> Node -> Int -> ST s ()
-touching f tree !p !highest !deepest !t = do
-  e <- getNode tree (final (cornerList t))
-  isLinked <- get tree (link t)
-  if isLinked == 1
-    then do
-      cut tree t deepest highest
-      attach f tree p (cornerList t) e
-    else do
-      countStep f tree
-      hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
-      if hidden
+  where
+    search !deepest !near = do
+      !c <- getSource tree near
+      found <- if near == e then pure True else hidesFrom f tree p c
+      if found
         then do
-          deepest' <- getNode tree (leaf e)
-          alongChain f tree p e deepest' deepest' e
-        else attach f tree p (cornerList t) e
+          below <- getNode tree (final (cornerList c))
+          when (near /= deepest) $ cut tree c deepest e
+          attach f tree p (cornerList c) below
+        else do
+          ahead <- getList tree (target c)
+          getNode tree (edge (listOwner ahead)) >>= search deepest
 
 -- | Is this node a tree edge that hides its end from p?
 hidesAsEdge :: Frame -> Growing s -> Int -> Node -> ST s Bool
@@ -235,11 +153,6 @@ hidesAsEdge f tree !p !e = do
   s <- getSource tree e
   own <- getNode tree (edge s)
   if own == e then hidesFrom f tree p s else pure False
-
--- | Does this tree edge hide its end from p?
-hides :: Frame -> Growing s -> Int -> Node -> ST s Bool
-hides f tree !p !e = getSource tree e >>= hidesFrom f tree p
-{-# INLINE hides #-}
 
 -- | Does the tree edge from s to t hide t from p? One from the place of p never does: it lies in another cone of free
 -- space there.
@@ -256,10 +169,6 @@ hidesFrom f tree !p !s
           else not (sharePlace f p s)
   | otherwise = pure False
 {-# INLINE hidesFrom #-}
-
-countStep :: Frame -> Growing s -> ST s ()
-countStep f tree = get tree (counter (frameSize f)) >>= put tree (counter (frameSize f)) . (+ 1)
-{-# INLINE countStep #-}
 
 -- | Makes l the target of p, just after node e in it.
 attach :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
@@ -306,16 +215,6 @@ separates :: Frame -> Int -> List -> Int -> Bool
 separates f t ahead x =
   comesBefore f t x && (not (isCornerList ahead) || x /= listOwner ahead && turnIn f t x (listOwner ahead) == LeftTurn)
 {-# INLINE separates #-}
-
--- | What 'link' must say of t.
-linkable :: Frame -> Table -> Int -> Bool
-linkable f table t =
-  e /= noNode
-    && nodeAt table (edge t) /= noNode
-    && nodeAt table (edge (sourceAt table e)) == e
-    && continues f (sourceAt table e) t (listAt table (target t))
-  where
-    e = nodeAt table (final (cornerList t))
 
 -- | Splits the chain with this leaf and top at the linked corner t.
 cut :: Growing s -> Int -> Node -> Node -> ST s ()

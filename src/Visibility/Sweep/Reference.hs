@@ -67,7 +67,7 @@ step scene state = case pending state of
   [] -> Nothing
   p : others -> case mapMaybe (uncurry (readyVertex scene state)) (nextPairs p) of
     [] -> step scene popped
-    vertex : _ -> Just (vertex, swept scene popped vertex)
+    vertex : _ -> Just (vertex, sweepVertex scene popped vertex)
     where
       popped = state {pending = others, isPending = Set.delete p (isPending state)}
   where
@@ -99,12 +99,12 @@ readyVertex scene state p q = collected [p] (Set.singleton p) >>= fromCorners . 
             Nothing -> False
 
 -- | Sweeps a vertex pair by pair: in the right tree the rightmost pair first, in the left tree the leftmost one.
-swept :: Scene -> State -> Vertex -> State
-swept scene state vertex = foldl' pushed after (vertexCorners vertex)
+sweepVertex :: Scene -> State -> Vertex -> State
+sweepVertex scene state vertex = foldl' pushed after (vertexCorners vertex)
   where
     pairs = vertexPairs scene vertex
-    (right, changesRight) = sweptLine scene (rightTree state) (reverse (map fst pairs))
-    (left, changesLeft) = sweptLine scene (leftTree state) (map snd pairs)
+    (right, changesRight) = sweepLine scene (rightTree state) (reverse (map fst pairs))
+    (left, changesLeft) = sweepLine scene (leftTree state) (map snd pairs)
     after =
       state
         { rightTree = right
@@ -118,10 +118,10 @@ swept scene state vertex = foldl' pushed after (vertexCorners vertex)
 -- | Sweeps the tree edges of corners on a line, given from the last one to the first. Before, all of them are made the
 -- leaves of their chains; and each once more when it is swept, since of a wall's two faces the first one that is swept
 -- may leave its corner linked to the second one.
-sweptLine :: Scene -> Tree -> [CornerId] -> (Tree, [Change])
-sweptLine scene tree line = mapAccumL sweep (foldl' separated tree (reverse line)) line
+sweepLine :: Scene -> Tree -> [CornerId] -> (Tree, [Change])
+sweepLine scene tree line = mapAccumL sweep (foldl' separate tree (reverse line)) line
   where
-    sweep grown p = advance scene (separated grown p) p
+    sweep grown p = advance scene (separate grown p) p
 
 treeOf :: Heading -> State -> Tree
 treeOf Rightward = rightTree

@@ -9,7 +9,6 @@ module Visibility.Sweep.HorizonTree.Table
     Table
   , Growing
   , emptyTable
-  , thawed
   , frozen
     -- * Lists: what a tree edge leads to
   , List (..)
@@ -38,7 +37,6 @@ module Visibility.Sweep.HorizonTree.Table
   , top
   , leaf
   , source
-  , counter
     -- * Reading and writing
   , at
   , get
@@ -51,11 +49,10 @@ module Visibility.Sweep.HorizonTree.Table
   , listAt
   , getList
   , putList
-  , changed
   ) where
 
 import Control.Monad (forM_)
-import Control.Monad.ST (ST, runST)
+import Control.Monad.ST (ST)
 import Data.Bits (shiftL, shiftR, (.&.))
 import Data.Int (Int32)
 import Data.Primitive.ByteArray (MutableByteArray (..), newAlignedPinnedByteArray)
@@ -72,8 +69,7 @@ import Data.Primitive.PrimArray
 -- 13  first, last   the list of the edges that run vertically to the underside of that side
 -- 15  source        the corner at which that side starts, seen by the heading
 -- Places are not checked against the table's size: every list and node is made from a corner below n, or the sky.
--- A list or a node is named by its place in the table. There is one more record, for the sky: its ceiling list, and
--- the count of chain steps where a corner has its target.
+-- A list or a node is named by its place in the table. There is one more record, for the ceiling list of the sky.
 
 -- | An immutable table.
 newtype Table = Table (PrimArray Int32)
@@ -91,19 +87,11 @@ emptyTable n = do
   forM_ [0 .. n - 1] $ \p -> do
     put growing (link p) 0
     forM_ [edgeNode p, markerNode p] $ \node@(Node e) -> put growing (top node) e >> put growing (leaf node) e
-  put growing (counter n) 0
   pure growing
 
 -- | Room for so many numbers, in which records begin where lines of the cache do.
 room :: Int -> ST s (MutablePrimArray s Int32)
 room size = (\(MutableByteArray array) -> MutablePrimArray array) <$> newAlignedPinnedByteArray (4 * size) 64
-
--- | A changeable copy. /Cost/ O(n).
-thawed :: Table -> ST s (Growing s)
-thawed (Table array) = do
-  table <- room (sizeofPrimArray array)
-  copyPrimArray table 0 array 0 (sizeofPrimArray array)
-  pure (Growing table)
 
 -- | The table as it is now. /Requires/ no change after it.
 frozen :: Growing s -> ST s Table
@@ -186,10 +174,6 @@ source :: Int -> Field
 source i = record i + 15
 {-# INLINE source #-}
 
--- | The count of chain steps, of a scene with so many corners.
-counter :: Int -> Field
-counter = record
-
 first, final :: List -> Field
 first (List l) = l
 final (List l) = l + 1
@@ -253,10 +237,3 @@ getList v i = do
 putList :: Growing s -> Field -> List -> ST s ()
 putList v i (List l) = put v i l
 {-# INLINE putList #-}
-
--- | The table with one field changed. /Cost/ O(n): for tests.
-changed :: Field -> Int -> Table -> Table
-changed i x table = runST $ do
-  growing <- thawed table
-  put growing i x
-  frozen growing

@@ -15,13 +15,15 @@ module Visibility.Sweep.Reference.Tree
   , cornerAhead
     -- * To sweep a pair
   , advance
-  , separated
+  , separate
   , Change (..)
+  , Search (..)
   , Way (..)
     -- * Chains
-  , isLinkable
+  , linkable
   , lastArrival
   , hides
+  , rankOf
   , turned
   , besides
   ) where
@@ -102,9 +104,19 @@ data Change = Change
   , changedCorner :: !CornerId
   , sweptTo :: !CornerId
   , foundBy :: !Way
-  , passed :: ![CornerId]
-  -- ^ The near set: corners of the chain before the one where the tangent touches it, the leaf first.
-  , nextTarget :: !(Maybe Target)
+  , search :: !(Maybe Search)
+  -- ^ Nothing where the remaining rays are solid.
+  }
+  deriving (Eq, Show)
+
+-- | How the tangent from a corner was searched.
+data Search = Search
+  { passed :: ![CornerId]
+  -- ^ The near set: the corners of a chain before the one that the tangent touches, the leaf's first.
+  , edgesTested :: !Int
+  -- ^ Of how many tree edges it was asked whether they hide their targets.
+  , touching :: !Target
+  -- ^ The next target of the corner.
   }
   deriving (Eq, Show)
 
@@ -113,7 +125,7 @@ data Change = Change
 -- Corners are visited from right to left. For each object that the vertical meets, the lower hull of the corners
 -- visited above it is kept, the nearest corner first: that is what a ray turning up from the object meets.
 planted :: Scene -> Vertical -> Heading -> Tree
-planted scene vertical way = foldl' (relinked scene) (foldl' grown bare (Map.toList firsts)) (corners scene)
+planted scene vertical way = foldl' (relink scene) (foldl' grown bare (Map.toList firsts)) (corners scene)
   where
     bare =
       Tree
@@ -143,8 +155,8 @@ planted scene vertical way = foldl' (relinked scene) (foldl' grown bare (Map.toL
         started = if comesBefore way (nextCorner scene p) p then Map.insert (Side (SideId c)) [p] else id
 
 -- | Makes the tree edge of a corner the leaf of its chain. /Requires/ that so is what arrives there last.
-separated :: Tree -> CornerId -> Tree
-separated tree p = case lastArrival tree (ToCorner p) of
+separate :: Tree -> CornerId -> Tree
+separate tree p = case lastArrival tree (ToCorner p) of
   Just e | p `Set.member` linked tree -> cut tree p e
   _ -> tree
 
@@ -152,18 +164,17 @@ separated tree p = case lastArrival tree (ToCorner p) of
 advance :: Scene -> Tree -> CornerId -> (Tree, Change)
 advance scene tree p = case cornerAhead tree p of
   Nothing -> broken "what is swept is a tree edge" (show p)
-  Just q -> case firstAim scene bare p q way of
-    Nothing -> (bare, Change (heading tree) p q way [] Nothing)
-    Just (aim, below) -> (attached scene opened p found, Change (heading tree) p q way near (Just found))
-      where
-        (near, found, opened) = tangent scene bare p aim below
+  Just q -> case aim scene bare p q way of
+    Nothing -> (bare, change Nothing)
+    Just (first, below) -> let (opened, tangent) = settle scene bare p first below in (attach scene opened p (touching tangent), change (Just tangent))
     where
-      bare = released scene tree p q
+      change = Change (heading tree) p q way
+      bare = release scene tree p q
       way = wayPast scene bare p q
 
 -- | The tree without the edge from p to q. That is the leaf of its chain, which is cut where it goes on beyond q.
-released :: Scene -> Tree -> CornerId -> CornerId -> Tree
-released scene tree p q = relinked scene bare q
+release :: Scene -> Tree -> CornerId -> CornerId -> Tree
+release scene tree p q = relink scene bare q
   where
     atQ = ToCorner q
     apart = if q `Set.member` linked tree && lastArrival tree atQ == Just p then cut tree q p else tree
@@ -190,8 +201,8 @@ wayPast scene tree p q
     sideFrom (CornerId c) = SideId c
 
 -- | What the ray would meet if no chain hid it, and what arrives there next below it.
-firstAim :: Scene -> Tree -> CornerId -> CornerId -> Way -> Maybe (Target, Maybe CornerId)
-firstAim scene tree p q way = case way of
+aim :: Scene -> Tree -> CornerId -> CornerId -> Way -> Maybe (Target, Maybe CornerId)
+aim scene tree p q way = case way of
   BesideSolid
     | goesTo tree p r && turned scene p q r /= RightTurn -> Just (ToCorner r, Nothing)
     | otherwise -> Nothing
@@ -199,30 +210,34 @@ firstAim scene tree p q way = case way of
       r = previousCorner scene p
   AlongSide x -> Just (ToCorner x, before' (ToCorner x))
   AlongEdge x -> Just (ToCorner x, before' (ToCorner x))
-  UnderSide s -> Just (under (ToCeiling s) (lastArrival tree (ToCeiling s)))
-  UnderCeiling roof -> Just (under roof (before' roof))
+  UnderSide s -> Just (underCeiling (ToCeiling s) (lastArrival tree (ToCeiling s)))
+  UnderCeiling roof -> Just (underCeiling roof (before' roof))
   where
     before' t = snd <$> Map.lookupLT (rankOf scene (heading tree) t q) (Map.findWithDefault Map.empty t (arrivals tree))
     -- Going back to the left along a ceiling: to the last corner under it, or else to its left end.
-    under roof below = case (below, roof) of
+    underCeiling roof below = case (below, roof) of
       (Just e, _) | isAhead e -> (roof, below)
       (_, ToCeiling (SideId a)) | end <- CornerId a, isAhead end -> (ToCorner end, lastArrival tree (ToCorner end))
       _ -> (roof, below)
     isAhead c = goesTo tree p c && not (samePlace scene p c)
 
--- | Follows the tangent from p to the chain whose last edge goes from a corner to what p aims at: the corners passed, the
--- corner where the tangent touches the chain, and the tree with the chain cut there. Where nothing hides what p aims
--- at, that is found itself. The chain is searched from its leaf on.
-tangent :: Scene -> Tree -> CornerId -> Target -> Maybe CornerId -> ([CornerId], Target, Tree)
-tangent scene tree p aim below = case below of
-  Just top | Map.lookup top (targets tree) == Just aim, hides scene tree top p -> search [] leaf
+-- | Follows the tangent from p to the chain whose last edge arrives, from below the ray of p, at what p aims at, if that
+-- hides it: the corner where the tangent touches the chain is found, and the chain is cut there. Where nothing hides
+-- what p aims at, that is found itself. The chain is searched from its leaf on.
+settle :: Scene -> Tree -> CornerId -> Target -> Maybe CornerId -> (Tree, Search)
+settle scene tree p first below = case below of
+  Just top
+    | Map.lookup top (targets tree) /= Just first -> unhidden 0
+    | hides scene tree top p -> onward [] leaf
+    | otherwise -> unhidden 1
     where
       leaf = Map.findWithDefault top top (otherEnd tree)
-      search near c
-        | not (hides scene tree c p), Just c' <- cornerAhead tree c = search (c : near) c'
-        | null near = ([], ToCorner c, tree)
-        | otherwise = (reverse near, ToCorner c, cut tree c leaf)
-  _ -> ([], aim, tree)
+      onward near c
+        | c /= top && not (hides scene tree c p), Just c' <- cornerAhead tree c = onward (c : near) c'
+        | otherwise = (if null near then tree else cut tree c leaf, Search (reverse near) (length near + 2) (ToCorner c))
+  Nothing -> unhidden 0
+  where
+    unhidden tests = (tree, Search [] tests first)
 
 -- | Does the tree edge of s hide its target from p? One from the place of p never does: it lies in another cone of free
 -- space there.
@@ -232,8 +247,8 @@ hides scene tree s p = goesTo tree p s && not (samePlace scene p s) && isAbove
     isAbove = maybe True (\t -> turned scene s t p /= RightTurn) (cornerAhead tree s)
 
 -- | Gives p this target.
-attached :: Scene -> Tree -> CornerId -> Target -> Tree
-attached scene tree p t = foldl' (relinked scene) (grownBy scene tree p t) ([c | ToCorner c <- [t]] <> [p])
+attach :: Scene -> Tree -> CornerId -> Target -> Tree
+attach scene tree p t = foldl' (relink scene) (grownBy scene tree p t) ([c | ToCorner c <- [t]] <> [p])
 
 -- | The tree with one more edge, a chain of its own.
 grownBy :: Scene -> Tree -> CornerId -> Target -> Tree
@@ -245,18 +260,18 @@ grownBy scene tree p t =
     }
 
 -- | Joins the chain that ends at a corner and the one that begins there, if they may be joined.
-relinked :: Scene -> Tree -> CornerId -> Tree
-relinked scene tree t
-  | t `Set.notMember` linked tree && isLinkable scene tree t
+relink :: Scene -> Tree -> CornerId -> Tree
+relink scene tree t
+  | t `Set.notMember` linked tree && linkable scene tree t
   , Just e <- lastArrival tree (ToCorner t)
   , Just leaf <- Map.lookup e (otherEnd tree)
   , Just top <- Map.lookup t (otherEnd tree) =
-      tree {linked = Set.insert t (linked tree), otherEnd = chain leaf top (otherEnd tree)}
+      tree {linked = Set.insert t (linked tree), otherEnd = chain leaf top (Map.delete e (Map.delete t (otherEnd tree)))}
   | otherwise = tree
 
 -- | May a chain pass through a corner? See Note [Chains].
-isLinkable :: Scene -> Tree -> CornerId -> Bool
-isLinkable scene tree t = case (lastArrival tree (ToCorner t), Map.lookup t (targets tree)) of
+linkable :: Scene -> Tree -> CornerId -> Bool
+linkable scene tree t = case (lastArrival tree (ToCorner t), Map.lookup t (targets tree)) of
   (Just s, Just ahead) -> cornerAhead tree s == Just t && bends s && not (any (isBelow ahead) (besides scene t))
   _ -> False
   where
