@@ -27,7 +27,6 @@ violations :: Scene -> State -> [Violation]
 violations scene state =
   concat
     [ concatMap (treeViolations scene . (`treeOf` state)) [Rightward, Leftward]
-    , ensure "each tree has its heading" "" (map (heading . (`treeOf` state)) [Rightward, Leftward] == [Rightward, Leftward])
     , planarity scene state
     , readiness scene state
     , ensure "each pending corner is on the stack once" (show (pending state)) $
@@ -80,7 +79,8 @@ treeViolations scene tree =
             Collinear -> previousCorner scene a == c && nextCorner scene b == c
             RightTurn -> False
           _ -> isBefore a b
-        belongs p = Map.lookup p (targets tree) == Just t || or [c `elem` besides scene p && isBefore p c | ToCorner c <- [t]]
+        belongs p = Map.lookup p (targets tree) == Just t || or [isSide p c && isBefore p c | ToCorner c <- [t]]
+        isSide p c = c `elem` besides scene p
 
     -- The leaf and the top of each chain know each other, and no other corner is the end of one.
     chains =
@@ -105,7 +105,12 @@ planarity scene state =
   ]
   where
     segments =
-      nub [(min p q, max p q) | tree <- [rightTree state, leftTree state], p <- corners scene, Just q <- [cornerAhead tree p]]
+      nub
+        [ (min p q, max p q)
+        | tree <- [rightTree state, leftTree state]
+        , p <- corners scene
+        , Just q <- [cornerAhead tree p]
+        ]
     apart a b c d = turned scene a b c /= Collinear && turned scene a b d == opposite (turned scene a b c)
 
 -- | Wherever a pair is the next of both its corners and no unswept pair at them has a lesser or the same slope, one of
@@ -134,7 +139,8 @@ readiness scene state =
 
 -- | How many pairs a sweep of the scene has, and how many edges of chains both trees look at in it.
 searchWork :: Scene -> (Int, Int)
-searchWork scene = foldl' add (0, 0) (concat (unfoldr (fmap (\(_, state) -> (changes state, state)) . step scene) (start scene)))
+searchWork scene = foldl' add (0, 0) (concat (unfoldr changed (start scene)))
   where
+    changed = fmap (\(_, state) -> (changes state, state)) . step scene
     add (!pairs, !edges) change =
       (if changedHeading change == Rightward then pairs + 1 else pairs, edges + maybe 0 edgesTested (search change))

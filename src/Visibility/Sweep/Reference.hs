@@ -28,6 +28,51 @@ import Visibility.Sweep.Reference.Tree
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical
 
+-- Note [Order]
+-- ~~~~~~~~~~~~
+-- An elementary pair is two corners whose open segment is in free space and has no corner on it; a side is one too.
+-- At each corner the pairs that leave to the right and those that arrive from the left are ordered together, by
+-- slope. The sweep takes every pair once, so that at each corner pairs come in this order. It asks for no more: of
+-- two pairs without a common corner either may come first, unless a row of others between them decides it. So no
+-- queue is needed.
+--
+-- Note [Ready]
+-- ~~~~~~~~~~~~
+-- Let (p, q) be the next pair of p to the right and of q to the left. Let the next pair that arrives at p and the
+-- next one that leaves q have greater slopes, where there are such. Then (p, q) may be swept. For the unswept pairs
+-- that leave p have slopes no less than that of (p, q), which is the least by the definition of the tree; those that
+-- arrive at p have slopes no less than that of the next one of them, so greater ones; and so it is at q. Sweeping (p,
+-- q) concerns no other corner. Both trees are needed. Let s = (0, 0), t = (1, -1), p = (10, 0) and q = (11, 1/20).
+-- The right tree alone says p → q and s → t, and does not show that (s, p), which is swept after (s, t), must come
+-- before (p, q).
+--
+-- The sweep does not end too early. Among the unswept pairs of least slope take one, with all others on its line. At
+-- the corners of this line all other unswept pairs have greater slopes, so it may be swept. And a line that may be
+-- swept has a pending corner. Whether it may depends on the tree edges of its own corners alone. In the step that
+-- made it ready, one of these has changed, so that corner was swept and is pending, as all are at the start. When it
+-- is taken off the stack, one of its two next pairs is on the line, since the line is ready; so the line is found,
+-- and it stays ready until it is swept, since a tree edge changes only when its own pair is swept.
+--
+-- Note [Line]
+-- ~~~~~~~~~~~
+-- Several pairs on one line, of which neighbours share a corner, have one slope. Neither of two neighbours comes
+-- before the other at their corner, so all are swept in one step: they are one vertex. They are ready together. If no
+-- unswept pair at any corner of the line has less slope than the line, nor the same without being on it, then the
+-- next pairs of all its corners are the neighbours on it, both ways; so from any corner of the line one comes to all
+-- others from next pair to next pair, which is how the line is collected. If at one corner another pair is next, and
+-- has less slope, or if a neighbour's own next pair is another one, then the whole line waits. As no step sweeps a
+-- part of a line, its pairs are all swept or all unswept.
+--
+-- Within the step the pairs are swept one by one. In the right tree the rightmost one comes first: to find the next
+-- pair of a corner, the tree edge of its neighbour is followed (Note [Next pair]), and that has to have left the
+-- line.
+--
+-- /Degenerate cases/ A wall that stands alone has two faces and one pair, which is on the line once. Where a wall has
+-- corners in between, or where something touches it, its two faces may lead from a free end to two corners in one
+-- place. Then the end has two pairs of one slope, and the line runs along both: the right tree leads along the lower
+-- face first, the left tree along the upper one, as the ray turns from there into free space. So where one is met,
+-- both are taken.
+
 -- | The state between two steps. What has been swept is implied by the trees. /Cost/ O(n) memory.
 data State = State
   { rightTree :: !Tree

@@ -174,8 +174,9 @@ continuing f !a !b !l
 --
 -- /Cost/ O(log k) for each of k corners.
 readyLine :: Running s -> Int -> Int -> ST s (Maybe Vertex)
-readyLine state !p !q = (>>= fromCorners . map CornerId . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
+readyLine state@Running {sweptScene = scene} !p !q = (>>= vertexOn) <$> collected [p] (IntSet.singleton p)
   where
+    vertexOn = fromCorners . map CornerId . IntSet.toAscList
     collected [] line = pure (Just line)
     collected (c : rest) line = do
       ahead <- nextOnLine (rightTree state) (leftTree state) LeftTurn c
@@ -184,15 +185,15 @@ readyLine state !p !q = (>>= fromCorners . map CornerId . IntSet.toAscList) <$> 
         Nothing -> pure Nothing
         Just onwards ->
           let new = filter (`IntSet.notMember` line) onwards in collected (new <> rest) (foldr IntSet.insert line new)
-    -- The corners next to c on the line, in a tree whose opposite is the other one; nothing where a pair of less slope is
-    -- next, or one that is not mutual. The turn is that to pairs of greater slope.
+    -- The corners next to c on the line, in a tree whose opposite is the other one; nothing where a pair of less slope
+    -- is next, or one that is not mutual. The turn is that to pairs of greater slope.
     nextOnLine tree back greater c = do
       l <- getList tree (target c)
       let d = listOwner l
-          onwards = if isSplitEnd (sweptScene state) (CornerId c) && d `elem` besides c then besides c else [d]
+          onwards = if isSplit c && d `elem` besides c then besides c else [d]
       if not (isCornerList l)
         then pure (Just [])
-        else case turn (scenePoints (sweptScene state)) p q d of
+        else case turn (scenePoints scene) p q d of
           Collinear -> do
             areMutual <- and <$> mapM (c `isNextOf`) onwards
             pure (if areMutual then Just onwards else Nothing)
@@ -200,9 +201,9 @@ readyLine state !p !q = (>>= fromCorners . map CornerId . IntSet.toAscList) <$> 
       where
         c' `isNextOf` e = do
           r <- getList back (target e)
-          pure (r == cornerList c' || isSplitEnd (sweptScene state) (CornerId e) && c' `elem` besides e && r == nextList e)
-    nextList e = let CornerId x = nextCorner (sweptScene state) (CornerId e) in cornerList x
-    besides c = [d | CornerId d <- [nextCorner (sweptScene state) (CornerId c), previousCorner (sweptScene state) (CornerId c)]]
+          pure (r == cornerList c' || isSplit e && c' `elem` besides e && r `elem` map cornerList (take 1 (besides e)))
+    isSplit = isSplitEnd scene . CornerId
+    besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
 
 -- | Sweeps a vertex of two corners.
 sweepPair :: Running s -> Progress -> Int -> Int -> ST s Progress
@@ -244,9 +245,10 @@ push state !deep !p = do
 
 -- | Asks that no pair is left. Unsafe arithmetic may stop before the end, with pairs that are never swept.
 exhausted :: Running s -> ST s ()
-exhausted state = forM_ [0 .. cornerCount (sweptScene state) - 1] $ \p -> forM_ [rightTree state, leftTree state] $ \tree -> do
-  l <- getList tree (target p)
-  when (isCornerList l) $ broken "the sweep goes on to the end of its range" (show (min p (listOwner l), max p (listOwner l)))
+exhausted state = forM_ [rightTree state, leftTree state] $ \tree ->
+  forM_ [0 .. cornerCount (sweptScene state) - 1] $ \p -> do
+    l <- getList tree (target p)
+    when (isCornerList l) $ broken "the sweep goes on to the end of its range" (show (p, listOwner l))
 
 -- | The numbers written, as a piece.
 pieceWritten :: Running s -> Progress -> ST s Piece

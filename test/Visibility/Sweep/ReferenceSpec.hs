@@ -3,7 +3,6 @@ module Visibility.Sweep.ReferenceSpec (spec) where
 import Control.Monad (forM_)
 import Data.List (inits, sort, sortBy, unfoldr)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Test.Hspec hiding (pending)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -30,9 +29,11 @@ parts =
   , Part "arrival" $ \scene tree -> picked (Map.keys (arrivals tree)) $ \t -> do
       p <- elements (corners scene)
       let list = Map.findWithDefault Map.empty t (arrivals tree)
-          other = if p `elem` Map.elems list then Map.filter (/= p) list else Map.insert (rankOf scene (heading tree) t p) p list
+          other
+            | p `elem` Map.elems list = Map.filter (/= p) list
+            | otherwise = Map.insert (rankOf scene (heading tree) t p) p list
       pure tree {arrivals = Map.insert t other (arrivals tree)}
-  , Part "order of arrivals" $ \_ tree -> picked [(t, l) | (t, l) <- Map.toList (arrivals tree), Map.size l > 1] $ \(t, l) ->
+  , Part "order of arrivals" $ \_ tree -> picked (several tree) $ \(t, l) ->
       pure tree {arrivals = Map.insert t (Map.fromList (zip (Map.keys l) (reverse (Map.elems l)))) (arrivals tree)}
   , Part "link of a corner" $ \scene tree -> picked (corners scene) $ \p ->
       pure tree {linked = if Set.member p (linked tree) then Set.delete p (linked tree) else Set.insert p (linked tree)}
@@ -42,6 +43,7 @@ parts =
       picked (Map.keys (otherEnd tree)) $ \p -> pure tree {otherEnd = Map.delete p (otherEnd tree)}
   ]
   where
+    several tree = filter ((> 1) . Map.size . snd) (Map.toList (arrivals tree))
     picked xs f = if null xs then pure Nothing else elements xs >>= fmap Just . f
     change part with new keys tree = picked keys $ \p -> do
       value <- new `suchThat` (\v -> Map.lookup p (part tree) /= Just v)
@@ -75,7 +77,8 @@ spec = do
     it "a sweep that stops before a vertex of two corners" $
       property $ \(LatticeScene s) ->
         let scene = sampleScene s
-            early = [state | (state, vertex) <- zip (statesOf scene) (verticesOf scene), not (isDegenerate scene vertex)]
+            isOrdinary (_, vertex) = not (isDegenerate scene vertex)
+            early = map fst (filter isOrdinary (zip (statesOf scene) (verticesOf scene)))
          in not (null early) ==> forAll (choose (0, length early - 1)) $ \k ->
               conjoin [noticed s state {pending = [], isPending = Set.empty} | state <- take 1 (drop k early)]
   describe "a horizon tree" $
@@ -146,4 +149,4 @@ forAllState s f = forAll (choose (0, length states - 1)) $ \k -> conjoin (map f 
 steep :: Scene -> Direction
 steep scene = Direction 1 (-1 - height)
   where
-    height = fromMaybe 0 (Set.lookupMax (Set.fromList (0 : [ceiling (snd (coordinates (cornerAt scene c))) | c <- corners scene])))
+    height = maximum (0 : [ceiling (snd (coordinates (cornerAt scene c))) | c <- corners scene])

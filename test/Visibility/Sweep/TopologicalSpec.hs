@@ -74,7 +74,7 @@ inTable scene table = (Map.fromList found, Map.fromList lists, Set.fromList (fil
     ends =
       Map.fromList $
         concat
-          [ [(CornerId p, CornerId (sourceOf deepest)), (CornerId (sourceOf deepest), CornerId (sourceOf (nodeAt table (top deepest))))]
+          [ [(CornerId p, source' deepest), (source' deepest, source' (nodeAt table (top deepest)))]
           | p <- [0 .. n - 1]
           , let own = nodeAt table (edge p)
           , own /= noNode
@@ -82,4 +82,4 @@ inTable scene table = (Map.fromList found, Map.fromList lists, Set.fromList (fil
           , not (isCornerList l && isLinked (CornerId (listOwner l)) && nodeAt table (final l) == own)
           , let deepest = nodeAt table (leaf own)
           ]
-    sourceOf = sourceAt table
+    source' = CornerId . sourceAt table

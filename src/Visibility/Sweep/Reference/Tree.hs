@@ -1,5 +1,5 @@
--- | A horizon tree as a text, over persistent maps: the tree edges of "Visibility.Sweep.Reference", and how the next one
--- of a corner is found without a test of visibility.
+-- | A horizon tree as a text, over persistent maps: the tree edges of "Visibility.Sweep.Reference", and how the next
+-- one of a corner is found without a test of visibility.
 --
 -- What is proved here of all scenes is proved of polygons that do not touch; Note [Corners in one place] says how it is
 -- to be read where they do. Right and left, below and above are those of the scene turned by an infinitely small angle
@@ -39,6 +39,87 @@ import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.Vertical
+
+-- Note [Taut paths]
+-- ~~~~~~~~~~~~~~~~~
+-- Let P be a path from x to w that makes a convex polygon with the segment wx. Let no side cross its open legs, no
+-- corner be on them, and the angles of P inside the polygon be free near its inner points. Let W be the part of the
+-- boundary of the convex hull of x, w and all other corners in the polygon that faces P, with all corners on it: the
+-- taut path. Neighbours on W see each other, and between P and W there is neither a corner nor anything solid. For
+-- there is no corner by definition. Were a side there, it would have to leave the region at both of its ends: not
+-- through an open leg, nor at an inner point of P, where the angle is free. So it would leave through W twice, but
+-- then it would be on the other side of W. So no side is there, and the region, free near P, is free. What would
+-- cross an edge of W would come into it.
+--
+-- If P goes to the right and turns right, slopes do not increase along W. Then, if the first pair of W is swept, all
+-- are: at each corner of W the following pair has no greater slope, so by the order at that corner it has been swept
+-- too.
+--
+-- Note [Trees]
+-- ~~~~~~~~~~~~
+-- In every state tree edges do not cross. More: an unswept pair (y, w) that crosses a tree edge, that of x, in a
+-- point z, has a greater slope. For let it be less. Neither of the two is a side, since sides cross no pair, so it is
+-- free around z, and the path x → z → w turns right. The first pair of its taut path leaves x with less slope than
+-- the tree edge, so it is swept, and then so is the last one. That arrives at w with a greater slope than (y, w),
+-- which is not swept, against the order at w. Now tree edges are unswept pairs: of two that cross each would have a
+-- greater slope than the other, by the tree of one and by that of the other, whichever these are. The same with a
+-- vertical first leg: if all pairs that leave x are swept, no unswept pair crosses the vertical from x up to its
+-- ceiling, since the first pair of the taut path leaves x.
+--
+-- Note [Next pair]
+-- ~~~~~~~~~~~~~~~~
+-- (p, q) has just been swept, and what is just above it is free, or else the way is 'BesideSolid'. Turn around q
+-- clockwise from the direction back to p: what is met first, within 180°, is the /front/: a side of q, or else the
+-- tree edge of q. Four ways, by what the front is. An unswept pair that starts to the right, above (p, q) and before
+-- the front, does not leave the region there through (p, q) or the front (N): it would cross a side, or a tree edge
+-- of less slope, or the vertical at q, against Note [Trees]; (p, q) was a tree edge before this step.
+--
+-- 'AlongSide', 'AlongEdge'. The front leads from q to x. The path p → q → x turns left: a pair (q, x) that is not
+-- swept has a greater slope than (p, q). Let p, r₁, …, rₖ, x be its taut path; slopes do not decrease along it. Then
+-- (1) r₁, or x if k = 0, is the next target of p. The pair is unswept, as its slope is greater than that of (p, q). A
+-- pair of p with less slope would start into the region between both paths, where no corner is, and could not leave
+-- it, by (N).
+-- (2) Each (rᵢ, rᵢ₊₁) is a tree edge. It is unswept, by the order at r₁, then at r₂, and so on. An unswept pair of rᵢ
+-- with less slope would start into the region, and could only end in q; but (rᵢ, q) has less slope than (p, q), so it
+-- is swept.
+-- (3) Nothing arrives at rᵢ below the taut path, nor at x between it and the front: a side or tree edge that did
+-- would come from a corner on the boundary of the region, not crossing it; not from the taut path, which is convex,
+-- nor from q.
+-- (4) No side leaves rᵢ below the taut path: it could only end in q, and be met before the front.
+-- So all edges of the taut path but the first one are tree edges, each the last arrival at its end, but for the one
+-- at x, which is the next arrival below the front. Where it is linked, rᵢ is inside of a chain, and by (2) to (4) r₂,
+-- …, rₖ are. So r₁ → … → x is the upper end of the chain whose last edge arrives next below the front; its edges hide
+-- their ends from p, by convexity; an edge of the chain before them ends at r₁ with less slope than (p, r₁), by (3),
+-- so it does not hide. Hence the search finds r₁, and there is no second chain to look at: what arrives last at r₁
+-- does not hide it.
+--
+-- 'UnderSide', 'UnderCeiling'. The front is a side s = (a, q), or the vertical from q up to its ceiling s and then s.
+-- Let Z be the region above (p, q), below s, to the right of p and a and to the left of q. If there is a corner in Z,
+-- take the rightmost one, r. To the right of it Z is free, so no pair leaves r unswept: it would leave Z against (N),
+-- or end in q. So r has a vertical edge to s, and it is the nearest one: any other source between r and q is below
+-- (p, q), and its vertical would cross (p, q), which was unswept just now. So p aims at s, and with r in the place of
+-- rₖ and a point of s above it in that of x, (1) to (4) hold as before. If there is no corner in Z, there is no
+-- vertical edge to s from between p and q either. If a is to the left of p, p has no unswept pair, by (N): s is its
+-- target. If a is to the right of p, p aims at a, and (1) to (4) hold with a for x. What arrives last at a is the
+-- last edge of its chain, that is, a is not linked: the side (a, b) of the ceiling has been swept, since b is q, or
+-- since by the taut path of q → b all is; so that side is below the tree edge of a.
+--
+-- Note [Chains]
+-- ~~~~~~~~~~~~~
+-- A corner is linked when its last arrival is a tree edge, its own tree edge turns left there or goes straight on,
+-- and no side to the right is below that. A maximal path of tree edges through linked corners is a chain, its first
+-- edge its leaf, its last one its top. Straight on counts: else the corners of a line would be searched one by one,
+-- in quadratic time. The ends of a chain know each other, so the search of Note [Next pair] begins at the leaf at
+-- once. That all searches take O(m) steps is proved in docs/scan-bound.md, which also tells what is measured only.
+--
+-- Note [Corners in one place]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- Where polygons touch, a place has one corner for each cone of free space. Complete the inside of free space by its
+-- inner distance: a place becomes as many points as it has cones, and a piece of a wall gets two faces. In this space
+-- nothing touches. The inner corners of a taut path turn by 180° or more on the side of P, so each belongs to one
+-- cone; regions in the proofs are free inside, so they are as in the plane. A corner in the place of p is in another
+-- cone, so its edge hides nothing from p. Of a wall's two faces with one slope the lower one is swept first, and then
+-- nothing is to be searched.
 
 -- | The next pairs of all corners in one heading. Seen 'Leftward' the scene is turned by 180°: right is left, above is
 -- below; slopes and turns stay. So one tree serves both, and all that is said of it here is said of the rightward one.
@@ -83,8 +164,8 @@ instance Ord Slope where
 -- | How the next pair of p is found when (p, q) has been swept: by what the ray of p is up against when it has turned
 -- past q. The first three look at sides, the others at the tree edge of q.
 data Way
-  = -- | (p, q) is a side with its solid just above. The next free ray of p is along its other side, if that leads to the
-    -- right and is not below; if not, all is solid up to the vertical.
+  = -- | (p, q) is a side with its solid just above. The next free ray of p is along its other side, if that leads to
+    -- the right and is not below; if not, all is solid up to the vertical.
     BesideSolid
   | -- | A side of q stands in the way and leads on to the right, to this corner. The ray slides along it.
     AlongSide !CornerId
@@ -166,7 +247,9 @@ advance scene tree p = case cornerAhead tree p of
   Nothing -> broken "what is swept is a tree edge" (show p)
   Just q -> case aim scene bare p q way of
     Nothing -> (bare, change Nothing)
-    Just (first, below) -> let (opened, tangent) = settle scene bare p first below in (attach scene opened p (touching tangent), change (Just tangent))
+    Just (first, below) -> (attach scene opened p (touching tangent), change (Just tangent))
+      where
+        (opened, tangent) = settle scene bare p first below
     where
       change = Change (heading tree) p q way
       bare = release scene tree p q
@@ -221,9 +304,9 @@ aim scene tree p q way = case way of
       _ -> (roof, below)
     isAhead c = goesTo tree p c && not (samePlace scene p c)
 
--- | Follows the tangent from p to the chain whose last edge arrives, from below the ray of p, at what p aims at, if that
--- hides it: the corner where the tangent touches the chain is found, and the chain is cut there. Where nothing hides
--- what p aims at, that is found itself. The chain is searched from its leaf on.
+-- | Follows the tangent from p to the chain whose last edge arrives, from below the ray of p, at what p aims at, if
+-- that hides it: the corner where the tangent touches the chain is found, and the chain is cut there. Where nothing
+-- hides what p aims at, that is found itself. The chain is searched from its leaf on.
 settle :: Scene -> Tree -> CornerId -> Target -> Maybe CornerId -> (Tree, Search)
 settle scene tree p first below = case below of
   Just top
@@ -234,7 +317,9 @@ settle scene tree p first below = case below of
       leaf = Map.findWithDefault top top (otherEnd tree)
       onward near c
         | c /= top && not (hides scene tree c p), Just c' <- cornerAhead tree c = onward (c : near) c'
-        | otherwise = (if null near then tree else cut tree c leaf, Search (reverse near) (length near + 2) (ToCorner c))
+        | otherwise = (apart, Search (reverse near) (length near + 2) (ToCorner c))
+        where
+          apart = if null near then tree else cut tree c leaf
   Nothing -> unhidden 0
   where
     unhidden tests = (tree, Search [] tests first)
@@ -264,10 +349,12 @@ relink :: Scene -> Tree -> CornerId -> Tree
 relink scene tree t
   | t `Set.notMember` linked tree && linkable scene tree t
   , Just e <- lastArrival tree (ToCorner t)
-  , Just leaf <- Map.lookup e (otherEnd tree)
-  , Just top <- Map.lookup t (otherEnd tree) =
-      tree {linked = Set.insert t (linked tree), otherEnd = chain leaf top (Map.delete e (Map.delete t (otherEnd tree)))}
+  , Just leaf <- Map.lookup e ends
+  , Just top <- Map.lookup t ends =
+      tree {linked = Set.insert t (linked tree), otherEnd = chain leaf top (Map.delete e (Map.delete t ends))}
   | otherwise = tree
+  where
+    ends = otherEnd tree
 
 -- | May a chain pass through a corner? See Note [Chains].
 linkable :: Scene -> Tree -> CornerId -> Bool
@@ -294,15 +381,17 @@ chain leaf top = Map.insert leaf top . Map.insert top leaf
 lastArrival :: Tree -> Target -> Maybe CornerId
 lastArrival tree t = Map.lookup t (arrivals tree) >>= fmap snd . Map.lookupMax
 
-arriving :: Scene -> Heading -> Target -> CornerId -> Map Target (Map Rank CornerId) -> Map Target (Map Rank CornerId)
+-- | With one more arrival, if it is not there.
+arriving
+  :: Scene -> Heading -> Target -> CornerId -> Map Target (Map Rank CornerId) -> Map Target (Map Rank CornerId)
 arriving scene way t p = Map.insertWith Map.union t (Map.singleton (rankOf scene way t p) p)
 
 rankOf :: Scene -> Heading -> Target -> CornerId -> Rank
 rankOf scene way t p@(CornerId s) = case t of
-  ToCorner q@(CornerId c) -> Rank (Slope (direction (scenePoints scene) (min s c) (max s c))) (if isLower q then 1 else 0)
+  ToCorner q@(CornerId c) -> Rank (slope (min s c) (max s c)) (if nextCorner scene p == q then 1 else 0)
   _ -> Rank (Slope upwards) (case way of Rightward -> s; Leftward -> negate s)
   where
-    isLower q = nextCorner scene p == q
+    slope a b = Slope (direction (scenePoints scene) a b)
 
 -- | The corner that a corner's tree edge leads to, where it leads to one.
 cornerAhead :: Tree -> CornerId -> Maybe CornerId
