@@ -280,7 +280,7 @@ spec = do
       for_ [["--lines"], ["--breaks", "all"]] $ \options ->
         refuses 1 ["for the figure mesh"] (["draw", "scene", "scenes/room.json"] <> options) ""
       refuses 1 ["for the figure view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
-    it "draws the figures of the README and of docs/mesh.md" $
+    it "draws the figures of the README, of docs/commands.md and of docs/mesh.md" $
       for_ documentedFigures $ \(figure, name) -> do
         svg <- output (["draw"] <> take 1 (words figure) <> ["scenes/room.json"] <> drop 1 (words figure)) ""
         shown <- readFile ("docs" </> "figures" </> name <> ".svg")
@@ -423,6 +423,7 @@ spec = do
       [ ("scene", "room")
       , ("dual", "room-dual")
       , ("view --corner 0.1", "room-view")
+      , ("radiosity --mesh discontinuity", "room-radiosity")
       , ("mesh", "room-mesh")
       , ("mesh --breaks shadow-limits --lines", "room-shadows")
       ]
