@@ -15,7 +15,7 @@ import Report.Paper
 import Report.Scenes
 import Report.Verdict
 import Visibility.Count (Signs (..), countingSigns)
-import Visibility.Draw.Drawing (Style (..))
+import Visibility.Draw.Drawing (Style (Series1, Series2, Series3, Series4, Series5, Series6))
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Report.Plot
 import Visibility.Scene

@@ -27,9 +27,10 @@ import Visibility.FormFactor (measureList, measures)
 import Visibility.Scene (Scene, cornerCount, cornerPoint, corners)
 import Visibility.Scene.Family
 import Visibility.Sight (Viewpoint (..))
-import Visibility.Test.SweepLaw (searchWork)
 import Visibility.Sweep (straightVertices, vertexPairs, vertices)
+import Visibility.Test.Generator (sizeOfCorners)
 import Visibility.Test.Scan (scan)
+import Visibility.Test.SweepLaw (searchWork)
 
 main :: IO ()
 main = do
@@ -89,18 +90,11 @@ main = do
 -- | The sizes at which a family has about 2^7 to 2^14 corners; fewer where the number of pairs grows with the square of
 -- it.
 ladder :: Family -> [Int]
-ladder kind = mapMaybe sized (takeWhile (<= top) (iterate (* 2) 128))
+ladder kind = map (sizeOfCorners kind) (takeWhile (<= top) (iterate (* 2) 128))
   where
     top = case kind of
       Sparse -> 2048
       _ -> 16384
-    sized count = fmap sizeCount (size (count `div` perPolygon))
-    perPolygon = case kind of
-      Comb -> 8
-      ThinWalls -> 2
-      Maze -> 2
-      Needles -> 3
-      _ -> 4
 
 -- | Places in and around a scene, in free space or on a boundary, none of them special.
 lookouts :: Locator -> [Viewpoint]

@@ -41,9 +41,9 @@ spec = do
                 let found = unfoldr (step scene) (start scene) {pending = order}
                  in (sort found, outOfOrder scene found) === (sort (vertices scene), [])
     it "are those of the reference in scenes swept in several pieces" $
-      once . onFamilies 12 $ \scene -> vertices scene === referenceVertices scene
+      once . onFamilies 48 $ \scene -> vertices scene === referenceVertices scene
     it "are those of brute force in small scenes of every family" $
-      once . onFamilies 12 $ \scene -> sort (vertices scene) === bruteForce scene
+      once . onFamilies 48 $ \scene -> sort (vertices scene) === bruteForce scene
   describe "the graph" $
     modifyMaxSuccess (* 3) $ do
       it "keeps under maps that keep lines" $
@@ -85,8 +85,8 @@ spec = do
     it "per pair grows slowly with the scene in every family" $
       [ (familyName kind, perPair small, perPair large)
       | kind <- [minBound ..]
-      , Just small <- [familyOf kind 32]
-      , Just large <- [familyOf kind 128]
+      , Just small <- [familyOf kind (sizeOfCorners kind 128)]
+      , Just large <- [familyOf kind (sizeOfCorners kind 512)]
       , perPair large > 1.25 * perPair small
       ]
         `shouldBe` []
@@ -128,7 +128,7 @@ onFamilies most f =
   conjoin
     [ counterexample (show (kind, n)) (f scene)
     | kind <- [minBound ..]
-    , n <- nub [1, 2, 3, most]
+    , n <- nub [1, 2, 3, sizeOfCorners kind most]
     , Just scene <- [familyOf kind n]
     ]
 

@@ -21,6 +21,7 @@ module Visibility.Test.Generator
   , touchingScene
   , needleScene
   , familyScene
+  , sizeOfCorners
   , dressed
     -- * Shrinking
   , shrinkSample
@@ -227,9 +228,22 @@ needleScene = kept . map ring <$> slimTriangles
 familyScene :: Gen Sample
 familyScene = do
   kind <- elements [minBound .. maxBound]
-  n <- choose (1, 8)
+  n <- choose (1, if kind `elem` [Ceiling, Tower] then 3 else 8)
   seed <- arbitrary
   pure (valid (maybe (alone Nothing) (\s -> family kind s (Seed seed)) (size n)))
+
+-- | The size at which a scene of the family has about so many corners; at least 1.
+sizeOfCorners :: Family -> Int -> Int
+sizeOfCorners kind count = max 1 $ case kind of
+  Comb -> count `div` 8
+  ThinWalls -> count `div` 2
+  Maze -> count `div` 2
+  Needles -> count `div` 3
+  Ceiling -> side
+  Tower -> side
+  _ -> count `div` 4
+  where
+    side = 1 + length (takeWhile (\k -> k * k + 2 * k + 6 < count) [1 ..])
 
 ring :: [Corner] -> RawPolygon
 ring loop = rawPolygon [Point (x % 1) (y % 1) | (x, y) <- loop]

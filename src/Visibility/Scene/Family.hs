@@ -5,7 +5,7 @@
 -- A scene is a pure function of family, size and seed, the same for all time. All coordinates are integers; up to 2¹⁴
 -- corners they stay below 2³¹, so that machine integers decide. The exception is 'Kettner': its coordinates are
 -- Doubles, and too fine for machine integers. Every scene is valid by construction: each polygon has a cell of its own
--- and stays strictly inside it, but in the families that are made to touch.
+-- and stays strictly inside it, but in the families that are made to touch, and in 'Ceiling' and 'Tower'.
 module Visibility.Scene.Family
   ( -- * Families
     Family (..)
@@ -26,6 +26,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.IntegerRoot (exactSquareRoot, integerSquareRoot)
+import Visibility.Scene.Family.Ceiling
 import Visibility.Scene.Family.Draw
 import Visibility.Scene.Family.Kettner (kettner, kettnerUnit)
 import Visibility.Scene.Raw
@@ -57,6 +58,11 @@ data Family
     Terraces
   | -- | Thin walls of unit length in a square lattice, which meet at their ends and may close off pockets.
     Maze
+  | -- | A convex ceiling of K² + K corners above a column of K walls, each of which sees the right part of it: a long
+    -- chain for searches that go from the wrong end. See "Visibility.Scene.Family.Ceiling".
+    Ceiling
+  | -- | The same ceiling beside a tower: two polygons.
+    Tower
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The family's name on the command line.
@@ -73,6 +79,8 @@ familyName kind = case kind of
   Checkerboard -> "checkerboard"
   Terraces -> "terraces"
   Maze -> "maze"
+  Ceiling -> "ceiling"
+  Tower -> "tower"
 
 -- | /Law/ @familyNamed (familyName f) == Just f@.
 familyNamed :: Text -> Maybe Family
@@ -92,9 +100,11 @@ familyPurpose kind = case kind of
   Checkerboard -> "N unit squares that touch at their corners"
   Terraces -> "N unit squares that touch along their sides, in rows"
   Maze -> "N thin walls that meet at their ends"
+  Ceiling -> "a convex ceiling of N*N + N corners above a column of N walls; a long chain"
+  Tower -> "the same ceiling beside one tower; two polygons"
 
 -- | How many polygons a scene has ('Comb': teeth of each comb; 'Room': obstacles in the room; 'Kettner': tiny ones, two
--- large ones come before them). At least 1.
+-- large ones come before them; 'Ceiling' and 'Tower': corners of the column). At least 1.
 newtype Size = Size Int
   deriving (Eq, Ord, Show)
 
@@ -108,12 +118,12 @@ sizeCount (Size n) = n
 
 -- | The scene of a family, named by family, size and seed.
 --
--- /Degenerate cases/ 'Grid', 'Checkerboard' and 'Terraces' do not depend on the seed.
+-- /Degenerate cases/ 'Grid', 'Checkerboard', 'Terraces', 'Ceiling' and 'Tower' do not depend on the seed.
 --
--- /Cost/ O(n).
+-- /Cost/ O(n) in n corners.
 --
--- /Laws/ the scene is valid; except for 'Comb', its obstacles are the first ones of every larger scene of the same
--- family and seed.
+-- /Laws/ the scene is valid; except for 'Comb', 'Ceiling' and 'Tower', its obstacles are the first ones of every larger
+-- scene of the same family and seed.
 family :: Family -> Size -> Seed -> RawScene
 family kind (Size n) seed@(Seed s) =
   RawScene
@@ -145,6 +155,8 @@ obstacles kind n seed = case kind of
   Checkerboard -> squares (\(i, j) -> (i + j, i - j))
   Terraces -> squares (\(i, j) -> (i, 2 * j))
   Maze -> [runDraw seed k (latticeWall (cell k)) | k <- [0 .. n - 1]]
+  Ceiling -> aboveColumn (toInteger n)
+  Tower -> aboveTower (toInteger n)
   where
     squares place = [map (moved (place (cell k))) [(0, 0), (1, 0), (1, 1), (0, 1)] | k <- [0 .. n - 1]]
     scattered edge shape = [runDraw seed k (shape >>= turnedAtRandom >>= within edge (cell k)) | k <- [0 .. n - 1]]

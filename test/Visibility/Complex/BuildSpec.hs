@@ -1,7 +1,6 @@
 module Visibility.Complex.BuildSpec (spec) where
 
 import Data.List (sort, sortBy, unfoldr)
-import qualified Data.Vector.Unboxed as U
 import Test.Hspec hiding (pending)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
@@ -10,7 +9,7 @@ import Visibility.Count
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep
-import Visibility.Sweep.Topological (Sweep (..))
+import Visibility.Sweep.Reference (pending, start, step)
 import Visibility.Test.Description
 import Visibility.Test.Generator
 import Visibility.Test.Metamorphic
@@ -46,9 +45,8 @@ spec = describe "build" $ do
     it "gives one complex, whichever sweep the vertices come from and in whichever order" $
       property $ \(LatticeScene s) ->
         let scene = sampleScene s
-            n = cornerCount scene
-         in forAll (shuffle [0 .. n - 1]) $ \order ->
-              let found = unfoldr (step scene) (start scene) {pending = U.fromList (map fromIntegral order)}
+         in forAll (shuffle (corners scene)) $ \order ->
+              let found = unfoldr (step scene) (start scene) {pending = order}
                   topological = description (complexOf scene)
                in conjoin
                     [ description (build scene found) === topological

@@ -39,7 +39,7 @@ spec = do
         conjoin
           [ counterexample (show kind) (straightVertices scene === sortBy (compareVertices scene) (vertices scene))
           | kind <- [minBound .. maxBound]
-          , Just count <- [size 40]
+          , Just count <- [size (sizeOfCorners kind 160)]
           , Just s <- [sample (family kind count (Seed 1))]
           , let scene = sampleScene s
           ]
