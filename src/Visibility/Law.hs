@@ -1,4 +1,5 @@
--- | Laws that do not hold: values for those who check, an exception where going on would give a wrong result.
+-- | A law that does not hold: a value for those who check laws, and an exception where going on would give a wrong
+-- result.
 module Visibility.Law
   ( Violation (..)
   , broken

@@ -2,8 +2,9 @@
 
 -- | What a corner sees along a line, by shooting rays: written from the definition, without sweep or complex.
 --
--- A ray that starts in the solid is told by the two sides of its corner alone. Any other ends at the nearest side that
--- it crosses. All is decided in integers, in machine integers where the extent of the lattice allows it.
+-- Whether a ray starts in the solid can be told from the two sides of its corner alone. If it does not, it ends at the
+-- nearest side that it crosses. All is decided in integers, in machine integers where the extent of the lattice allows
+-- it.
 module Visibility.Ray
   ( -- * Rays
     Hit (..)

@@ -1,4 +1,4 @@
--- | Sorting by counting: for numbers below a bound that is not much greater than how many there are.
+-- | Sorting by counting: for numbers below a bound that is not much greater than their count.
 module Visibility.Sorting
   ( -- * Sorting
     sortedBy

@@ -1,4 +1,5 @@
--- | The canonical numbering of a complex: a function of the scene and its names, whatever sweep the complex is from.
+-- | The canonical numbering of a complex: it depends on the scene and its names only, not on the sweep that the complex
+-- was made along.
 module Visibility.Complex.Canonical
   ( Numbering (..)
   , canonicalNumbering

@@ -1,5 +1,8 @@
 -- | The visibility complex in tables: vertices, stretches and faces with their incidences, by id.
 --
+-- A stretch is the part of a corner's curve between two vertices in a row. It is an edge, except where the corner is
+-- buried.
+--
 -- The constructor is open for those who make complexes ("Visibility.Complex.Build"), check them
 -- ("Visibility.Complex.Law") or break them on purpose, in tests. Others see "Visibility.Complex".
 module Visibility.Complex.Type

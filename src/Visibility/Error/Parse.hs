@@ -1,4 +1,4 @@
--- | All that can prevent a file from stating a scene, true or false, and its text.
+-- | All that can prevent a file from stating any scene, valid or not, and its text.
 module Visibility.Error.Parse
   ( ParseError (..)
   , TextPosition (..)

@@ -1,4 +1,4 @@
--- | All that can be wrong with a scene that a file states in good form.
+-- | All that can be wrong with a scene that a file states in the right form: its geometry and its materials.
 module Visibility.Error.Scene
   ( SceneError (..)
   , MaterialPlace (..)

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | What each vertex of the complex adds to the measures of the lines between objects, as a stream of vertices tells
--- it.
+-- | What each vertex of the complex adds to the measures of the lines between two objects: taken from the stream of
+-- vertices.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2
 -- (measure of a face as an area in the dual); Hottel (string rule).

@@ -1,4 +1,4 @@
--- | Fewer break points, by exact criteria.
+-- | Fewer break points: at most so many elements on each side, where lengths are compared exactly.
 module Visibility.Mesh.Bound
   ( bounded
   ) where

@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Where the lines of vertices land, as a stream of vertices tells it: by side, before any coordinate is computed.
+-- | Where the lines of vertices land on sides: taken from the stream of vertices, and sorted by side, before any
+-- coordinate is computed.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
 module Visibility.Mesh.Landing

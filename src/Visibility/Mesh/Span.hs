@@ -1,4 +1,4 @@
--- | Where the pieces of sides lie on the sides of the file.
+-- | Which part of its side, as the file states it, each uncovered piece is.
 module Visibility.Mesh.Span
   ( Span (..)
   , pieceSpans

@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | A static tree of boxes: which of them overlap, and which have a property.
+-- | A tree of boxes that does not change once it is made: it tells which boxes overlap, and which have a property.
 module Visibility.Scene.Boxes
   ( -- * Boxes
     Box (..)

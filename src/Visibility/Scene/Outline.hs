@@ -1,4 +1,4 @@
--- | The stated corners of all polygons by one index: what validation works on.
+-- | The corners of all polygons as the file states them, numbered through: what validation works on.
 module Visibility.Scene.Outline
   ( Shape
   , formOf

@@ -1,13 +1,14 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | A horizon tree: for every corner, the least-slope elementary pair not yet swept that leaves it forward.
+-- | A horizon tree, fast: for every corner, the elementary pair of least slope that leaves it forward and has not been
+-- swept. "Visibility.Sweep.Reference.Tree" is the same tree as a text, and says why it is right.
 --
--- There is one implementation. Seen 'Rightward' it is the tree of the pairs that leave a corner to the right; seen
--- 'Leftward' the scene is turned by 180° and it is the tree of those that leave to the left.
+-- There is one implementation. Seen 'Rightward' it is the tree of the pairs that leave a corner to the right. Seen
+-- 'Leftward' the scene is turned by 180°, and it is the tree of those that leave to the left.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes (upper and lower horizon trees,
--- convex chains with double pointers); Overmars and Welzl (rotation trees). The scan from both ends, the sky as a
--- target and the treatment of collinear corners are this project's.
+-- convex chains with double pointers); Overmars and Welzl (rotation trees). The sky as a target and the treatment of
+-- collinear corners are this project's.
 module Visibility.Sweep.HorizonTree
   ( -- * To sweep pairs
     advance
@@ -36,9 +37,9 @@ import Visibility.Sweep.HorizonTree.Table
 -- ~~~~~~~~~~~~~~~~~~~~
 -- A corner t is linked when the last tree edge into t and the tree edge out of t are consecutive edges of a convex
 -- chain: the second turns left or goes straight on, and no forward side of t lies below it. A chain is a maximal path
--- of linked edges. Its leaf (the edge furthest from the target) points to its top and its top to its leaf, so that a
--- tangent to it can be searched from both ends. Equality matters: were collinear corners not linked, aligned scenes
--- would be scanned corner by corner, in quadratic time.
+-- of linked edges. Its leaf (the edge furthest from the target) and its top point to each other, so that the search for a
+-- tangent, which comes to the top first, can begin at the leaf. Equality matters: were collinear corners not linked,
+-- aligned scenes would be searched corner by corner, in quadratic time.
 
 -- | Sweeps the tree edges of corners on a line, given from the last one to the first. Before, all of them are made the
 -- leaves of their chains; and each once more when it is swept, since of a wall's two faces the first one that is swept

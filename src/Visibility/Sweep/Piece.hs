@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Vertices in numbers: many of them in one array, of which the garbage collector traces nothing.
+-- | Vertices written as numbers, many in one array, so that the garbage collector has nothing to trace in them.
 module Visibility.Sweep.Piece
   ( Piece (..)
   , closing
