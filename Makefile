@@ -13,8 +13,10 @@ SCENES ?= $(sort $(wildcard scenes/*.json scenes/*.geojson scenes/*.wkt))
 SEED ?=
 # the QuickCheck cases of each property of `test` at -O0;
 export O0_CASES ?=
-# the arguments of the benchmarks.
+# the arguments of the benchmarks;
 BENCH_ARGS ?=
+# and where it is not empty, `report` measures less.
+QUICK ?=
 
 .PHONY: help
 help: ## this list
@@ -57,6 +59,10 @@ soak: setup ## the sweeps against brute force on SCENES=1000000 random scenes, i
 .PHONY: bench
 bench: build ## time and space of the parts and of whole commands, beside bench/baseline
 	@tools/bench.sh
+
+.PHONY: report
+report: build ## speed against error, into docs/report (minutes); QUICK=1: within one, into dist-newstyle/report
+	@. tools/common.sh; build bench:report; "$$(built bench:report)" $$EXE $(if $(QUICK),dist-newstyle/report quick,docs/report)
 
 .PHONY: ladder
 ladder: build ## the sweeps on scenes of all families and sizes; BENCH_ARGS names families

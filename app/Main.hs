@@ -6,7 +6,6 @@ import Command.Generate (runGenerate)
 import Command.Mesh (runMesh)
 import Command.Query (runComplex, runFactors, runGraph, runInfo)
 import Command.Radiosity (runRadiosity)
-import Command.Report (runReport)
 import Command.Verify (runVerify)
 import Command.View (runView)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
@@ -28,4 +27,3 @@ main = do
     Verify common -> runVerify common
     Draw common options -> runDraw common options
     Generate options -> runGenerate options
-    Report options -> runReport options

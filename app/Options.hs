@@ -16,7 +16,6 @@ module Options
   , DrawOptions (..)
   , Figure (..)
   , GenerateOptions (..)
-  , ReportOptions (..)
   , RadiosityOptions (..)
   , Elements (..)
   , LightOptions (..)
@@ -65,7 +64,6 @@ import Options.Factors
 import Options.Mesh
 import Options.Radiosity
 import Options.Reader
-import Options.Report
 import Options.View
 import Visibility.Scene.Family
 
@@ -81,7 +79,6 @@ data Command
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
-  | Report !ReportOptions
 
 data GenerateOptions = GenerateOptions
   { generatedFamily :: !Family
@@ -140,7 +137,6 @@ commands =
         <> command "mesh" (info (right (Mesh <$> common <*> meshOptions)) meshHelp)
         <> command "verify" (info (right (Verify <$> common)) verifyHelp)
         <> command "draw" drawCommand
-        <> command "report" (info (right (Report <$> reportOptions)) reportHelp)
         <> command "generate" (info (right (Generate <$> generateOptions)) generateHelp)
     )
   where
@@ -236,15 +232,6 @@ commands =
           , ("its light, with a profile along a side", "viscomplex draw radiosity scenes/room.json --profile E.0")
           , ("what is seen from a point", "viscomplex draw view scenes/room.json --from 1/2,3 -o room-view.svg")
           , ("where shadows end", "viscomplex draw mesh scenes/room.json --breaks shadow-limits --lines")
-          ]
-          ""
-    reportHelp =
-      progDesc
-        "Measure speed against error, here and now: report.md, its data as CSV, and plots, in a folder. Takes some \
-        \minutes."
-        <> examples
-          [ ("less than a minute", "viscomplex report --quick -o report")
-          , ("all of it", "viscomplex report -o report")
           ]
           ""
     generateHelp =

@@ -77,17 +77,6 @@ spec = do
     said <- output ["--version"] ""
     ["version: " <> drop (length ("viscomplex " :: String)) line | line <- lines said] `shouldBe` stated
 
-  describe "info" $
-    it "says how many signs were decided, and how many the filter left to integers" $ do
-      let signs arguments = lookup "signs" . infoLines <$> output ("info" : arguments) ""
-      signs ["scenes/grid.json"] `shouldReturn` Just "all in machine integers"
-      signs ["scenes/forty-digits.json", "--arithmetic", "exact"] `shouldReturn` Just "all in integers of any size"
-      counted <- signs ["scenes/forty-digits.json"]
-      fmap words counted `shouldSatisfy` \found -> case found of
-        Just [decided, "of", "them", left, _, "%)", "left", "to", "integers"] ->
-          all isDigit left && left /= "0" && all isDigit (takeWhile (/= ',') decided)
-        _ -> False
-
   describe "graph" $ do
     it "streams the same lines with --unsorted" $ do
       sorted <- lines <$> output ["graph", "scenes/flat.json"] ""

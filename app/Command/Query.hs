@@ -14,7 +14,7 @@ import Progress (withProgress)
 import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
-import Visibility.Count (count, countingSigns)
+import Visibility.Count (count)
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument)
 import Visibility.Format.Factors (Detail (..), Naming (..), decimalDocument, exactDocument, nearestDocument)
@@ -24,14 +24,13 @@ import Visibility.Mesh (Refined (..), elementNames)
 import Visibility.Sweep (Piece)
 import Visibility.View (events)
 
--- | Counts, and the time it took to find them. Of the signs, those of the sweep are counted.
+-- | Counts, and the time it took to find them.
 runInfo :: Common -> IO ()
 runInfo common = withScene common $ \scene -> do
   begun <- getCPUTime
-  (counts, signs) <- countingSigns scene $ \watched ->
-    sweeping common watched (\swept -> pure $! count scene (events scene swept))
+  counts <- sweeping common scene (\swept -> pure $! count scene (events scene swept))
   ended <- getCPUTime
-  printed (stringUtf8 (infoText scene (schedulerChoice common) counts signs (fromInteger (ended - begun) / 1e12)))
+  printed (stringUtf8 (infoText scene (schedulerChoice common) counts (fromInteger (ended - begun) / 1e12)))
 
 -- | The elementary visible pairs.
 runGraph :: Common -> GraphOptions -> IO ()

@@ -36,14 +36,12 @@ common = Common <$> scene <*> arithmetic <*> scheduler
     sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
     arithmetic =
       option
-        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble), ("rational", RationalBaseline)])
+        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
         ( long "arithmetic"
-            <> metavar "filtered|exact|double|rational"
+            <> metavar "filtered|exact|double"
             <> value Filtered
             <> showDefaultWith (const "filtered")
-            <> help
-              "How signs are decided. double is unsafe: wrong results are its purpose. rational is a slow \
-              \baseline."
+            <> help "How signs are decided. double is unsafe: wrong results are its purpose."
         )
     scheduler =
       option

@@ -1,21 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Sizes of the visibility complex, counted along the stream of events in O(n) memory; and signs, counted while they
--- are decided.
+-- | Sizes of the visibility complex, counted along the stream of events in O(n) memory.
 module Visibility.Count
-  ( -- * Sizes
-    Counts (..)
+  ( Counts (..)
   , count
-    -- * Signs
-  , Signs (..)
-  , shareLeft
-  , countingSigns
   ) where
 
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
-import Visibility.Exact.Point (tallied)
-import Visibility.Exact.Tally (Signs (..), newTally, shareLeft, signsSoFar)
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.View
@@ -76,18 +68,3 @@ facesBegun scene line = fst (foldl' meet (0, Map.empty) (concatMap (uncurry (inc
     meet (!begun, latest) (Incidence flank back front) =
       let (before, latest') = Map.insertLookupWithKey (\_ new _ -> new) (back, front) flank latest
        in (if before == Just Below && flank == Above then begun + 1 else begun, latest')
-
--- | Works on a scene, and tells how many signs of its corners were decided meanwhile: those that were evaluated before
--- the work came to its end. The work gets the same scene, but with a filter that counts. 'Nothing' where no filter
--- decides: there is nothing to count, and the work gets the scene itself.
---
--- /Laws/ the result is that of the work on the scene given.
-countingSigns :: Scene -> (Scene -> IO a) -> IO (a, Maybe Signs)
-countingSigns scene work = do
-  tally <- newTally
-  case tallied tally (scenePoints scene) of
-    Nothing -> (\result -> (result, Nothing)) <$> work scene
-    Just points -> do
-      result <- work scene {scenePoints = points}
-      signs <- signsSoFar tally
-      pure (result, Just signs)

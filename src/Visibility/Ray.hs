@@ -25,7 +25,7 @@ module Visibility.Ray
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..), Turn (..), directionTurn, reversed)
+import Visibility.Exact.Predicate (Direction (..), directionTurn, reversed)
 import Visibility.Scene
 import Visibility.Scene.Cone
 import Visibility.View

@@ -1,28 +1,22 @@
 module Visibility.CountSpec (spec) where
 
-import Control.Exception (evaluate)
-import Control.Monad (forM_)
 import Data.List (nub, partition)
-import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Count
-import Visibility.Exact.Point (Arithmetic (..), Kernel (..), Point (..), pointsKernel)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Scene
 import Visibility.Scene.Family (Family (Random), Seed (..), family, size)
-import Visibility.Scene.Raw (Form (..), RawPolygon (..), RawScene (..))
+import Visibility.Scene.Raw (Form (..))
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Generator
 import Visibility.View
 
 spec :: Spec
-spec = counting >> signs
-
-counting :: Spec
-counting = describe "count" $ do
+spec = describe "count" $ do
   modifyMaxSuccess (* 5) $ do
     it "obeys V - E - B + F = W + 1 under an open sky, W in a room" $
       property $ \(AnyScene s) ->
@@ -68,56 +62,6 @@ counting = describe "count" $ do
     counted scene = count scene (events scene (vertices scene))
     square x = [(x, 0), (x + 1, 0), (x + 1, 1), (x, 1)]
     shouldBeJust actual expected = actual `shouldBe` Just expected
-
-signs :: Spec
-signs = describe "countingSigns" $ do
-  modifyMaxSuccess (* 3) $
-    it "changes no result, and counts where the filter decides" $
-      property $ \(AnyScene s) ->
-        forAll (elements [Filtered, Exact]) $ \arithmetic ->
-          forAll (elements [Topological, Straight]) $ \scheduler -> ioProperty $ do
-            let scene = underArithmetic arithmetic (sampleScene s)
-            (found, counted) <- countingSigns scene (swept scheduler)
-            pure ((found, isJust counted, sensible counted) === (verticesBy scheduler scene, byFilter scene, True))
-  it "counts in every scene anew, and nothing that is not evaluated" $
-    forM_ (sampleScene <$> sampleOf (lattice (10 ^ (12 :: Int)))) $ \scene -> do
-      (_, first) <- countingSigns scene (swept Topological)
-      (_, second) <- countingSigns scene (swept Topological)
-      (_, none) <- countingSigns scene (pure . vertices)
-      second `shouldBe` first
-      none `shouldBe` Just (Signs 0 0)
-  it "finds at least each collinear corner left to integers" $
-    forM_ [sampleScene <$> sampleOf (lattice (10 ^ k)) | k <- [12, 300 :: Int]] $
-      maybe (expectationFailure "no scene") $ \scene -> do
-        let collinear = sum [length (vertexCorners v) - 2 | v <- bruteForce scene]
-        collinear `shouldSatisfy` (> 20)
-        forM_ [Topological, Straight] $ \scheduler -> do
-          (_, counted) <- countingSigns scene (swept scheduler)
-          maybe 0 signsLeft counted `shouldSatisfy` (>= collinear)
-  it "finds less than one sign in a thousand left to integers in general position, whatever the size of numbers" $
-    forM_ [(huge, huge), (3 ^ (90 :: Int), 1), (1, huge), (huge, 1 / huge)] $ \factors ->
-      case fmap (\n -> validate (stretched factors (family Random n (Seed 1)))) (size 150) of
-        Just (Right scene) -> do
-          (_, counted) <- countingSigns scene (swept Topological)
-          maybe 0 signsDecided counted `shouldSatisfy` (> 100000)
-          maybe 1 shareLeft counted `shouldSatisfy` (< 1 / 1000)
-        _ -> expectationFailure "no scene"
-  it "has a share of nothing where there is nothing" $
-    map shareLeft [Signs 0 0, Signs 4 1] `shouldBe` [0, 1 / 4]
-  where
-    swept scheduler scene = let found = verticesBy scheduler scene in found <$ evaluate (length found)
-    byFilter scene = case pointsKernel (scenePoints scene) of
-      FilterKernel _ -> True
-      _ -> False
-    sensible = maybe True (\(Signs decided left) -> 0 <= left && left <= decided)
-    lattice unit =
-      [ [(unit * (x + dx), unit * (y + dy)) | (dx, dy) <- [(0, 0), (1, 0), (1, 1), (0, 1)]]
-      | x <- [0, 2, 4]
-      , y <- [0, 2, 4]
-      ]
-    huge = 10 ^ (300 :: Int)
-    stretched factors raw = raw {rawPolygons = map (onCorners factors) (rawPolygons raw)}
-    onCorners (a, b) p = p {rawCorners = [Point (a * x) (b * y) | Point x y <- rawCorners p]}
 
 -- | The polygons that hang together by contacts.
 heaps :: Scene -> [[Polygon]]

@@ -41,7 +41,7 @@ import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Turn (..), turn)
+import Visibility.Exact.Predicate (turn)
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 import qualified Visibility.Scene.Raw as Raw

@@ -9,9 +9,10 @@ module Visibility.Exact.Point
     Arithmetic (..)
   , Points
   , Kernel (..)
+  , Turn (..)
   , pointsOn
   , withArithmetic
-  , tallied
+  , decidedBy
   , pointAt
   , pointsKernel
   , pointPlaces
@@ -25,7 +26,6 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Lattice
-import Visibility.Exact.Tally (Tally)
 
 -- | How signs are decided.
 data Arithmetic
@@ -35,8 +35,10 @@ data Arithmetic
     Exact
   | -- | Doubles without a bound. Wrong near degeneracy; exists to be measured.
     UnsafeDouble
-  | -- | Rationals without a lattice's advantages: what a first attempt would do. Right, and there to be measured.
-    RationalBaseline
+  deriving (Eq, Ord, Show, Enum, Bounded)
+
+-- | Where the third of three corners lies, looking from the first to the second.
+data Turn = RightTurn | Collinear | LeftTurn
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | What the predicates compute with.
@@ -48,12 +50,11 @@ data Kernel
     -- one k for all x, and the one for all y, that brings them below 1; the Doubles are at most 1. Signs of
     -- determinants do not change when an axis is scaled.
     FilterKernel !(U.Vector Double)
-  | -- | As for the filter, whose signs are counted.
-    TallyKernel !Tally !(U.Vector Double)
   | IntegerKernel
   | -- | x and y of corner i at 2i and 2i+1, rounded.
     DoubleKernel !(U.Vector Double)
-  | RationalKernel !(V.Vector Point)
+  | -- | A function that somebody else gives: the turn from the way between two corners to that between two others.
+    GivenKernel !(Int -> Int -> Int -> Int -> Turn)
 
 -- | Corners by index, with the arithmetic that decides about them.
 data Points = Points
@@ -70,17 +71,12 @@ pointsOn arithmetic places = Points places (kernelFor arithmetic places)
 withArithmetic :: Arithmetic -> Points -> Points
 withArithmetic arithmetic = pointsOn arithmetic . pointPlaces
 
--- | The same corners, the signs that their filter decides being counted; 'Nothing' where no filter decides.
+-- | The same corners, with a function in place of 'Visibility.Exact.Predicate.headingTurn': for whoever measures an
+-- arithmetic of their own. What is asked of one corner and others comes as @headingTurn a b a c@.
 --
--- /Laws/ every predicate has the same value.
-tallied :: Tally -> Points -> Maybe Points
-tallied tally points = case pointsKernel points of
-  FilterKernel xs -> Just points {pointsKernel = TallyKernel tally xs}
-  TallyKernel _ xs -> Just points {pointsKernel = TallyKernel tally xs}
-  MachineKernel _ -> Nothing
-  IntegerKernel -> Nothing
-  DoubleKernel _ -> Nothing
-  RationalKernel _ -> Nothing
+-- /Laws/ @headingTurn (decidedBy f p) a b c d == f a b c d@; @decidedBy (headingTurn p) p@ decides as @p@ does.
+decidedBy :: (Int -> Int -> Int -> Int -> Turn) -> Points -> Points
+decidedBy given points = points {pointsKernel = GivenKernel given}
 
 -- | Exactly where a corner is on the lattice. /Requires/ an index below the number of corners.
 pointAt :: Points -> Int -> LatticePoint
@@ -90,7 +86,6 @@ pointAt = placeAt . pointPlaces
 kernelFor :: Arithmetic -> Places -> Kernel
 kernelFor arithmetic places = case arithmetic of
   Exact -> IntegerKernel
-  RationalBaseline -> RationalKernel (V.fromList [let (x, y) = coordinates p in Point x y | p <- placeList places])
   UnsafeDouble ->
     DoubleKernel $
       U.fromList (concat [[scaledDouble k x w, scaledDouble k y w] | LatticePoint x y w <- placeList places])

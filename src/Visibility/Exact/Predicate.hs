@@ -14,6 +14,7 @@ module Visibility.Exact.Predicate
   , opposite
     -- * Turns of headings
   , headingTurn
+  , filterTurn
     -- * Turns and order of directions
   , Direction (..)
   , direction
@@ -25,14 +26,8 @@ module Visibility.Exact.Predicate
   ) where
 
 import Data.Int (Int64)
-import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
-import Visibility.Exact.Tally (counted)
-
--- | Where the third corner lies, looking from the first to the second.
-data Turn = RightTurn | Collinear | LeftTurn
-  deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The other way round; 'Collinear' stays.
 opposite :: Turn -> Turn
@@ -72,13 +67,10 @@ headingTurn points a b c d = case pointsKernel points of
 -- | 'headingTurn' under all other kernels, kept out of the code that is inlined at every call.
 otherTurn :: Points -> Int -> Int -> Int -> Int -> Turn
 otherTurn points a b c d = case pointsKernel points of
-  TallyKernel tally xs -> case certainTurn xs a b c d of
-    Collinear | mayDiffer a b c d -> counted tally Nothing (integerTurn points a b c d)
-    known -> counted tally (Just known) known
   DoubleKernel xs -> doubleTurn xs a b c d
-  RationalKernel ps -> rationalTurn ps a b c d
   MachineKernel _ -> integerTurn points a b c d
   FilterKernel xs -> filteredTurn points xs a b c d
+  GivenKernel given -> given a b c d
   IntegerKernel -> integerTurn points a b c d
 {-# NOINLINE otherTurn #-}
 
@@ -144,8 +136,16 @@ filteredTurn :: Points -> U.Vector Double -> Int -> Int -> Int -> Int -> Turn
 filteredTurn points xs a b c d = case certainTurn xs a b c d of
   Collinear | mayDiffer a b c d -> integerTurn points a b c d
   known -> known
-
 {-# NOINLINE filteredTurn #-}
+
+-- | What the filter alone says of a 'headingTurn': 'Nothing' where it leaves the answer to integers, or where no filter
+-- decides.
+filterTurn :: Points -> Int -> Int -> Int -> Int -> Maybe Turn
+filterTurn points a b c d = case pointsKernel points of
+  FilterKernel xs -> case certainTurn xs a b c d of
+    Collinear | mayDiffer a b c d -> Nothing
+    known -> Just known
+  _ -> Nothing
 
 -- | False for headings that are collinear by their corners alone: one has no length, or both join the same two
 -- corners. The sweeps ask such questions, and without this they would all be left to integers.
@@ -159,14 +159,6 @@ integerTurn points a b c d = directionTurn (along a b) (along c d)
     along = direction points
 
 {-# NOINLINE integerTurn #-}
-
-rationalTurn :: V.Vector Point -> Int -> Int -> Int -> Int -> Turn
-rationalTurn ps a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))
-  where
-    x i = let Point u _ = ps V.! i in u
-    y i = let Point _ v = ps V.! i in v
-
-{-# NOINLINE rationalTurn #-}
 
 doubleTurn :: U.Vector Double -> Int -> Int -> Int -> Int -> Turn
 doubleTurn xs a b c d = signTurn ((x b - x a) * (y d - y c) - (y b - y a) * (x d - x c))

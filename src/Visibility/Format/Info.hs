@@ -11,10 +11,9 @@ import Visibility.Exact.Point
 import Visibility.Scene
 import Visibility.Sweep (Scheduler (..))
 
--- | A line for each size. The last arguments are the signs that the sweep asked of the filter, if there was one, and
--- the seconds of processor time that the sweep took.
-infoText :: Scene -> Scheduler -> Counts -> Maybe Signs -> Double -> String
-infoText scene scheduler counts signs seconds =
+-- | A line for each size. The last argument is the seconds of processor time that the sweep took.
+infoText :: Scene -> Scheduler -> Counts -> Double -> String
+infoText scene scheduler counts seconds =
   unlines
     [ padded name <> value
     | (name, value) <-
@@ -30,7 +29,6 @@ infoText scene scheduler counts signs seconds =
              , ("faces", show (faceCount counts))
              , ("scheduler", schedulerText scheduler)
              , ("arithmetic", arithmeticText scene)
-             , ("signs", signsText scene signs)
              , ("time", showFFloat (Just 3) seconds " s")
              ]
     ]
@@ -47,25 +45,8 @@ arithmeticText :: Scene -> String
 arithmeticText scene = case sceneArithmetic scene of
   Exact -> "exact: integers of any size"
   UnsafeDouble -> "double: unsafe, results may be wrong"
-  RationalBaseline -> "rational, a baseline"
   Filtered -> case pointsKernel (scenePoints scene) of
     MachineKernel _ -> "filtered: the lattice fits machine integers" <> lattice
     _ -> "filtered: floating-point filter, integers behind it" <> lattice
   where
     lattice = " (" <> show (bitLength (latticeScale (sceneLattice scene))) <> "-bit common denominator)"
-
--- | What decided the signs of the sweep; of a filter, how many it was asked, and how many it left to integers.
-signsText :: Scene -> Maybe Signs -> String
-signsText scene signs = case sceneArithmetic scene of
-  Exact -> "all in integers of any size"
-  UnsafeDouble -> "all in Doubles"
-  RationalBaseline -> "all in rationals"
-  Filtered -> maybe "all in machine integers" shared signs
-  where
-    shared counts =
-      show (signsDecided counts) <> ", of them " <> show (signsLeft counts) <> percent counts <> " left to integers"
-    percent counts
-      | signsLeft counts > 0 && share < 0.01 = " (less than 0.01 %)"
-      | otherwise = " (" <> showFFloat (Just 2) (fromRational share :: Double) " %)"
-      where
-        share = 100 * shareLeft counts

@@ -7,7 +7,7 @@ module Visibility.Scene.Cone
   ) where
 
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..), Turn (..), directionTurn)
+import Visibility.Exact.Predicate (Direction (..), directionTurn)
 import Visibility.Scene
 
 -- | When to look, while a direction turns to the left: at it, or next to nothing before or after it.

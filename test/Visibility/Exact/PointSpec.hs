@@ -21,7 +21,7 @@ spec = do
                    ]
     it "is what is asked for" $
       map (kernelName . (`pointsOn` wholePlaces [Vector2 0 0, Vector2 1 2])) [minBound .. maxBound]
-        `shouldBe` ["machine", "integer", "double", "rational"]
+        `shouldBe` ["machine", "integer", "double"]
     it "can be chosen anew without touching the points" $
       property $ \a b (SomePoints ps) ->
         let l = latticeFor ps
@@ -79,10 +79,9 @@ kernelName :: Points -> String
 kernelName points = case pointsKernel points of
   MachineKernel _ -> "machine"
   FilterKernel _ -> "filter"
-  TallyKernel _ _ -> "tally"
   IntegerKernel -> "integer"
   DoubleKernel _ -> "double"
-  RationalKernel _ -> "rational"
+  GivenKernel _ -> "given"
 
 newtype SomeArithmetic = SomeArithmetic {arithmetic :: Arithmetic}
   deriving (Show)

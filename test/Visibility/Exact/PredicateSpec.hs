@@ -1,6 +1,5 @@
 module Visibility.Exact.PredicateSpec (spec) where
 
-import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import Data.Ratio ((%))
 import Test.Hspec
@@ -8,7 +7,6 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
-import Visibility.Exact.Tally
 
 -- | Three points of a lattice whose corner is the origin: random, or nearly on a line, of every magnitude.
 data Triple = Triple Vector2 Vector2 Vector2
@@ -164,14 +162,20 @@ spec = do
           let p = placed arithmetic [a, b, c, d]
            in [headingTurn p i j k l | (i, j, k, l) <- [(0, 0, 2, 3), (0, 1, 2, 2), (0, 1, 0, 1), (0, 1, 1, 0)]]
                 === replicate 4 Collinear
-      it "is the same when it is counted, and counted once" $
-        property $ \(Headings a b c d) -> ioProperty $ do
+      it "is that of the filter where the filter is sure" $
+        property $ \(Headings a b c d) ->
           let p = placed arithmetic [a, b, c, d]
-          tally <- newTally
-          let found = fmap (\q -> headingTurn q 0 1 2 3) (tallied tally p)
-          same <- evaluate (maybe True (== headingTurn p 0 1 2 3) found)
-          Signs decided left <- signsSoFar tally
-          pure ((same, decided, left <= decided) === (True, length found, True))
+           in conjoin
+                [ found === headingTurn p i j k l
+                | [i, j, k, l] <- sequence (replicate 4 [0 .. 3])
+                , Just found <- [filterTurn p i j k l]
+                ]
+      it "is that of a function that is given" $
+        property $ \(Headings a b c d) ->
+          let p = placed arithmetic [a, b, c, d]
+              given i j k l = opposite (headingTurn p i j k l)
+           in [headingTurn (decidedBy given p) 0 1 2 3, turn (decidedBy given p) 0 1 2]
+                === [given 0 1 2 3, opposite (turn p 0 1 2)]
   describe "directions" $ do
     it "turn as the corners that make them" $
       property $ \t ->
@@ -195,7 +199,7 @@ spec = do
          in conjoin
               [ counterexample (show arithmetic) $
                   [headingTurn points a b c d | [a, b, c, d] <- quadruples] === expected
-              | arithmetic <- [Filtered, Exact, RationalBaseline]
+              | arithmetic <- exactArithmetics
               , let points = pointsOn arithmetic (placesFrom places)
               ]
   describe "opposite" $
