@@ -37,8 +37,8 @@ import Visibility.Sweep.HorizonTree.Table
 -- ~~~~~~~~~~~~~~~~~~~~
 -- A corner t is linked when the last tree edge into t and the tree edge out of t are consecutive edges of a convex
 -- chain: the second turns left or goes straight on, and no forward side of t lies below it. A chain is a maximal path
--- of linked edges. Its leaf (the edge furthest from the target) and its top point to each other, so that the search for a
--- tangent, which comes to the top first, can begin at the leaf. Equality matters: were collinear corners not linked,
+-- of linked edges. Its leaf (the edge furthest from the target) and its top point to each other, so that the search for
+-- a tangent, which comes to the top first, can begin at the leaf. Equality matters: were collinear corners not linked,
 -- aligned scenes would be searched corner by corner, in quadratic time.
 
 -- | Sweeps the tree edges of corners on a line, given from the last one to the first. Before, all of them are made the
