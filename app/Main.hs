@@ -20,7 +20,7 @@ main = do
     Info common -> runInfo common
     Graph common options -> runGraph common options
     Factors common options -> runFactors common options
-    Complex common -> runComplex common
+    Complex common objects -> runComplex common objects
     Radiosity common options -> runRadiosity common options
     View common options -> runView common options
     Mesh common options -> runMesh common options

@@ -15,6 +15,7 @@ module Options
   , From (..)
   , DrawOptions (..)
   , Figure (..)
+  , Objects (..)
   , GenerateOptions (..)
   , RadiosityOptions (..)
   , Elements (..)
@@ -36,6 +37,7 @@ import Options.Applicative
   , command
   , customExecParser
   , eitherReader
+  , flag
   , footerDoc
   , fullDesc
   , handleParseResult
@@ -72,13 +74,16 @@ data Command
   = Info !Common
   | Graph !Common !GraphOptions
   | Factors !Common !FactorOptions
-  | Complex !Common
+  | Complex !Common !Objects
   | Mesh !Common !MeshOptions
   | Radiosity !Common !RadiosityOptions
   | Verify !Common
   | View !Common !ViewOptions
   | Draw !Common !DrawOptions
   | Generate !GenerateOptions
+
+-- | What counts as one object in the complex.
+data Objects = BySides | ByPolygons
 
 data GenerateOptions = GenerateOptions
   { generatedFamily :: !Family
@@ -131,7 +136,7 @@ commands =
     ( command "info" (info (right (Info <$> common)) infoHelp)
         <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
         <> command "factors" factorsCommand
-        <> command "complex" (info (right (Complex <$> common)) complexHelp)
+        <> command "complex" (info (right (Complex <$> common <*> objects)) complexHelp)
         <> command "radiosity" radiosityCommand
         <> command "view" viewCommand
         <> command "mesh" (info (right (Mesh <$> common <*> meshOptions)) meshHelp)
@@ -150,6 +155,15 @@ commands =
     drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
     drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
     mistakenIn name within = fmap (either (Left . Mistake name within) Right)
+    objects =
+      flag
+        BySides
+        ByPolygons
+        ( long "polygons"
+            <> help
+              "Take each polygon as one object, instead of its sides. Vertices and edges are printed where all polygons \
+              \are convex or thin walls and none touches another, under the sky; else faces only."
+        )
     infoHelp =
       progDesc "Count what the scene and its visibility complex consist of."
         <> examples [("a file", "viscomplex info scenes/grid.json")] ""
@@ -181,6 +195,7 @@ commands =
         <> examples
           [ ("all of it", "viscomplex complex scenes/room.json > room-complex.json")
           , ("the faces, with jq", "viscomplex complex scenes/room.json | jq -c '.faces[]'")
+          , ("of polygons instead of sides", "viscomplex complex scenes/grid.json --polygons")
           ]
           ""
     radiosityHelp =
@@ -221,7 +236,7 @@ commands =
     verifyHelp =
       progDesc
         "Build the complex and decide every one of its laws, exactly: one line each, and one that counts them. Ends \
-        \with exit code 5 if one does not hold; the laws of the polygon-labelled quotient are then left out."
+        \with exit code 5 if one does not hold; the laws of the complex of polygons are then left out."
         <> examples [("a file", "viscomplex verify scenes/grid.json")] ""
     drawHelp =
       progDesc "Draw a figure as SVG."

@@ -14,9 +14,10 @@ import Progress (withProgress)
 import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
+import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Count (count)
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
-import Visibility.Format.Complex (complexDocument)
+import Visibility.Format.Complex (complexDocument, polygonDocument)
 import Visibility.Format.Factors (Detail (..), Naming (..), decimalDocument, exactDocument, nearestDocument)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
@@ -63,6 +64,10 @@ runFactors common options = withScene common $ \file -> divided common (factorEl
     watched = withProgress "form factors written" (length . rowFactors)
 
 -- | The whole complex.
-runComplex :: Common -> IO ()
-runComplex common = withScene common $ \scene ->
-  sweeping common scene (printed . complexDocument . build scene)
+runComplex :: Common -> Objects -> IO ()
+runComplex common objects = withScene common $ \scene ->
+  sweeping common scene (printed . shown . build scene)
+  where
+    shown = case objects of
+      BySides -> complexDocument
+      ByPolygons -> polygonDocument . polygonComplex

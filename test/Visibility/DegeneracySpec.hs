@@ -15,7 +15,7 @@ import System.FilePath (dropExtension, takeExtension, (<.>), (</>))
 import Test.Hspec
 import Visibility.Complex (complexOf)
 import Visibility.Complex.Law (Law (..), checked)
-import Visibility.Complex.Quotient
+import Visibility.Complex.Polygons
 import Visibility.Complex.Type
 import Visibility.Count
 import Visibility.Draw.Drawing
@@ -45,7 +45,7 @@ spec = do
         sort (straightVertices scene) `shouldBe` found
         [(lawName law, broken) | (law, broken@(_ : _)) <- checked (complexOf scene)] `shouldBe` []
         [side | (side, defect) <- closureDefect scene (measuresOf scene), sign defect /= Zero] `shouldBe` []
-        [name | sceneContacts scene > 0, ConvexQuotient {} <- [quotient (complexOf scene)]] `shouldBe` []
+        [name | sceneContacts scene > 0, Just _ <- [outlines (polygonComplex (complexOf scene))]] `shouldBe` []
     it (name <> ": the figures have a label for every corner, and dots at flat corners only") $
       withScene name $ \scene -> do
         let found = vertices scene

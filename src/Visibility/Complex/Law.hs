@@ -23,18 +23,19 @@ import Visibility.Complex.Law.Base
 import Visibility.Complex.Law.Face
 import Visibility.Complex.Law.Local
 import Visibility.Complex.Law.Measure
+import Visibility.Complex.Law.Polygons
 import Visibility.Complex.Law.Section
 import Visibility.Complex.Law.Table
-import Visibility.Complex.Quotient
+import Visibility.Complex.Polygons
 import Visibility.Complex.Type (Complex)
 import Visibility.Law
 
 -- | All laws. The first one says that the tables are well formed; the others may be asked of well-formed tables only,
 -- with whatever values.
-laws :: [Law]
+laws :: [Law Complex]
 laws = wellFormed : others
 
-others :: [Law]
+others :: [Law Complex]
 others =
   [ vertexStretches
   , cornerLinks
@@ -57,22 +58,20 @@ others =
   , sections
   ]
 
--- | Each law with what violates it in a complex: first the laws of the complex, then, if they all hold, those of its
--- polygon-labelled quotient. If the tables are not well formed, this law alone.
-checked :: Complex -> [(Law, [Violation])]
+-- | Each law, now of anything, with what violates it in a complex: first the laws of the complex, then, if they all
+-- hold, those of its complex of polygons. If the tables are not well formed, this law alone.
+checked :: Complex -> [(Law (), [Violation])]
 checked complex
-  | all (null . snd) verdicts =
-      verdicts <> [(law, lawViolations law complex) | law <- ofQuotient (quotient (exactly complex))]
+  | all (null . snd) verdicts = verdicts <> map (decided (polygonComplex (exactly complex))) polygonLaws
   | otherwise = verdicts
   where
-    verdicts = case lawViolations wellFormed complex of
-      [] -> (wellFormed, []) : [(law, lawViolations law complex) | law <- others]
-      found -> [(wellFormed, found)]
-
--- | The laws of the quotient of a complex, which is made once.
-ofQuotient :: Quotient -> [Law]
-ofQuotient made =
-  [Law (quotientLawName law) (quotientLawStatement law) (const (quotientLawViolations law made)) | law <- quotientLaws]
+    verdicts = case decided complex wellFormed of
+      verdict@(_, []) -> verdict : map (decided complex) others
+      broken' -> [broken']
+    decided :: a -> Law a -> (Law (), [Violation])
+    decided made one = (one {lawViolations = const found}, found)
+      where
+        found = lawViolations one made
 
 -- | Everything that is wrong with a complex, law by law; nothing for one that "Visibility.Complex.Build" makes. If the
 -- tables are not well formed, only how.

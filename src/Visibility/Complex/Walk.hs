@@ -17,6 +17,7 @@ import Data.List (sortBy)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Locate
+import Visibility.Complex.Reading (Reading (..))
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -95,12 +96,6 @@ fromCorner complex c = (concatMap ahead around <> concatMap behind around, lengt
 -- | A part of the half turn during which the line through a point stays in one face: from one direction to another,
 -- with the objects at back and front.
 data Step = Step !Direction !Direction !Object !Object
-
--- | How a face is read: in the half turn that it begins in, or in the following one, where its lines are read
--- backwards and what was above is below. The face of the lines that miss everything lies above all curves in the one
--- reading, below all of them in the other.
-data Reading = Forwards | Backwards
-  deriving (Eq)
 
 -- Note [Leaving a face]
 -- ~~~~~~~~~~~~~~~~~~~~~

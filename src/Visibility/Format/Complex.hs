@@ -1,14 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The whole complex as JSON.
+-- | The whole complex as JSON, of sides or of polygons.
 module Visibility.Format.Complex
   ( complexDocument
+  , polygonDocument
   ) where
 
 import Data.Aeson.Encoding (Encoding, int, list, null_, pair, pairs, string)
 import qualified Data.Aeson.Encoding as Aeson
 import Data.ByteString.Builder (Builder, char7)
+import qualified Data.Vector as V
 import Visibility.Complex.Canonical
+import Visibility.Complex.Polygons
 import Visibility.Complex.Type
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..), primitive)
@@ -28,20 +31,76 @@ import Visibility.View (End (..), Flank (..), View (..))
 --
 -- /Cost/ O(m log m).
 complexDocument :: Complex -> Builder
-complexDocument complex = Aeson.fromEncoding document <> char7 '\n'
+complexDocument complex =
+  document complex $
+    pair "vertices" (list (vertexEntry complex) (orderedVertices numbering))
+      <> pair "edges" (list (edgeEntry complex numbering) (orderedEdges numbering))
+      <> pair "faces" (list (faceEntry complex numbering) (orderedFaces numbering))
+      <> pair "buried" (list (buriedEntry complex numbering) (orderedBuried numbering))
   where
-    scene = complexScene complex
     numbering = canonicalNumbering complex
-    document =
-      pairs $
-        pair "format" (string "viscomplex/1")
-          <> pair "corners" (list corner (statedCorners scene))
-          <> pair "vertices" (list (vertexEntry complex) (orderedVertices numbering))
-          <> pair "edges" (list (edgeEntry complex numbering) (orderedEdges numbering))
-          <> pair "faces" (list (faceEntry complex numbering) (orderedFaces numbering))
-          <> pair "buried" (list (buriedEntry complex numbering) (orderedBuried numbering))
+
+-- | A document on a complex, which begins with the corners of the scene.
+document :: Complex -> Aeson.Series -> Builder
+document complex content = Aeson.fromEncoding (pairs (preamble <> content)) <> char7 '\n'
+  where
+    preamble = pair "format" (string "viscomplex/1") <> pair "corners" (list corner stated)
+    stated = statedCorners (complexScene complex)
     corner (name, Point x y) =
       pairs (pair "id" (string (cornerText name)) <> pair "at" (list (string . rationalText) [x, y]))
+
+-- | The complex of polygons, in its own order: it depends on the scene only, to the last byte.
+--
+-- /Shape/ @corners@; @vertices@; @edges@; @faces@. @vertex@ and @parts@ are numbers in 'complexDocument': of the vertex,
+-- the edges, the faces. Where the complex has no outlines there are @faces@ only, without vertices and chains.
+--
+-- /Cost/ O(m log m).
+polygonDocument :: PolygonComplex -> Builder
+polygonDocument made = document complex $ case outlines made of
+  Nothing -> pair "faces" (list (\face -> pairs (labels face <> parts face)) (V.toList (regions made)))
+  Just found ->
+    pair "vertices" (list lineEntry (V.toList (tangentLines found)))
+      <> pair "edges" (list arcEntry (V.toList (arcs found)))
+      <> pair "faces" (list bounded (zip (V.toList (regions made)) (V.toList (boundaries found))))
+  where
+    complex = sideComplex made
+    scene = complexScene complex
+    numbering = canonicalNumbering complex
+    text label = string (case label of OfPolygon p -> polygonText p; OfSky -> "sky")
+    labels face = pair "back" (text (regionBack face)) <> pair "front" (text (regionFront face))
+    parts face = pair "parts" (list (int . faceNumber numbering) (regionFaces face))
+    bounded (face, Boundary first end upper lower) =
+      pairs $
+        labels face <> pair "first" (number first) <> pair "last" (number end)
+          <> pair "upper" (list (\(ArcId a, _) -> int a) upper)
+          <> pair "lower" (list (\(ArcId a, _) -> int a) lower)
+          <> parts face
+    number = maybe null_ (\(LineId i) -> int i)
+    lineEntry (TangentLine v touched) =
+      pairs $
+        pair "polygons" (list (string . polygonText . tangencyPolygon) touched)
+          <> pair "corners" (list (string . nameOf scene . tangencyCorner) touched)
+          <> pair "flanks" (list (flankText . tangencyFlanks) touched)
+          <> segment complex v (text . polygonLabel scene) (string . polygonText . polygonOfCorner scene)
+          <> pair "vertex" (int (vertexNumber numbering v))
+    flankText touched = string (case touched of [Above] -> "above"; [Below] -> "below"; _ -> "both")
+    arcEntry arc =
+      pairs $
+        pair "polygon" (string (polygonText (arcPolygon arc)))
+          <> pair "flank" (flankText [arcFlank arc])
+          <> pair "from" (number (arcFirst arc))
+          <> pair "to" (number (arcLast arc))
+          <> pair "turns" (int (arcTurns complex arc))
+          <> mconcat
+            [ pair "back" (text (polygonLabel scene b)) <> pair "front" (text (polygonLabel scene f))
+            | Tangent _ b f <- map (edgeView complex) (take 1 (arcStretches arc))
+            ]
+          <> pair "above" (met (if arcFlank arc == Above then onFlank else across))
+          <> pair "below" (met (if arcFlank arc == Above then across else onFlank))
+          <> pair "parts" (list (int . edgeNumber numbering) (arcStretches arc))
+      where
+        (across, onFlank) = splitAt 1 (arcFaces arc)
+    met = list (\(Aspect (RegionId r) _) -> int r)
 
 nameOf :: Scene -> CornerId -> String
 nameOf scene = cornerText . cornerName scene
@@ -49,17 +108,21 @@ nameOf scene = cornerText . cornerName scene
 vertexEntry :: Complex -> VertexId -> Encoding
 vertexEntry complex v =
   pairs $
-    pair "corners" (list (string . nameOf scene) line)
+    pair "corners" (list (string . nameOf scene) (vertexCorners (vertexAt complex v)))
       <> pair "kinds" (list (string . kindText) (vertexKinds complex v))
-      <> pair "direction" (list (string . show) [dx, dy])
-      <> pair "back" (string (end (vertexBack complex v) (vertexFirst vertex)))
-      <> pair "front" (string (end (vertexFront complex v) (vertexLast vertex)))
+      <> segment complex v (string . objectText scene) (string . nameOf scene)
   where
     scene = complexScene complex
+
+-- | The direction of a vertex and the ends of its segment: an object, or the corner where it ends.
+segment :: Complex -> VertexId -> (Object -> Encoding) -> (CornerId -> Encoding) -> Aeson.Series
+segment complex v object corner =
+  pair "direction" (list (string . show) [dx, dy])
+    <> pair "back" (maybe (corner (vertexFirst vertex)) object (vertexBack complex v))
+    <> pair "front" (maybe (corner (vertexLast vertex)) object (vertexFront complex v))
+  where
     vertex = vertexAt complex v
-    line = vertexCorners vertex
-    Direction dx dy = primitive (vertexDirection scene vertex)
-    end object c = maybe (nameOf scene c) (objectText scene) object
+    Direction dx dy = primitive (vertexDirection (complexScene complex) vertex)
 
 -- | @tangent@, @ending@ or @side@.
 kindText :: Kind -> String

@@ -8,7 +8,7 @@ import Visibility.Law (Violation (..))
 
 -- | A line for each law that has been decided: whether it holds, and its name; below one that does not, what it says
 -- and its first counter-examples. The last line counts.
-verdictText :: [(Law, [Violation])] -> String
+verdictText :: [(Law a, [Violation])] -> String
 verdictText verdicts = unlines (concatMap block verdicts <> [total])
   where
     block (law, found)

@@ -2,6 +2,7 @@
 module Visibility.Complex.Law.Base
   ( -- * Laws
     Law (..)
+  , law
   , lawOf
     -- * Reading the tables
   , entry
@@ -15,13 +16,6 @@ module Visibility.Complex.Law.Base
     -- * Directions
   , lineOf
   , compareLines
-    -- * Chains
-  , Reading (..)
-  , Incident (..)
-  , chainIncidences
-  , readings
-  , readingAt
-  , quartersOf
     -- * Texts
   , cornerLabel
   , vertexLabel
@@ -30,7 +24,7 @@ module Visibility.Complex.Law.Base
   , objectLabel
   ) where
 
-import Data.Int (Int32, Int8)
+import Data.Int (Int32)
 import Data.List (intercalate)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Type
@@ -39,19 +33,22 @@ import Visibility.Exact.Predicate
 import Visibility.Law
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.View (Flank (..))
 
 -- | A law of the complex of a scene: its name, what it says in full, and how it is decided.
-data Law = Law
+data Law a = Law
   { lawName :: String
   , lawStatement :: String
-  , lawViolations :: Complex -> [Violation]
+  , lawViolations :: a -> [Violation]
   -- ^ Lazy, in no order of importance. /Requires/ well-formed tables, but for the law that says what these are.
   }
 
 -- | A law whose check says what was found.
-lawOf :: String -> String -> (Complex -> [String]) -> Law
-lawOf name statement check = Law name statement (map (Violation name) . check . exactly)
+law :: String -> String -> (a -> [String]) -> Law a
+law name statement check = Law name statement (map (Violation name) . check)
+
+-- | A law that is decided by exact signs, whatever the arithmetic of the scene.
+lawOf :: String -> String -> (Complex -> [String]) -> Law Complex
+lawOf name statement check = law name statement (check . exactly)
 
 -- | The complex with its scene under an arithmetic that is always right.
 exactly :: Complex -> Complex
@@ -101,51 +98,6 @@ compareLines complex v w = case headingTurn points a b c d of
     points = scenePoints (complexScene complex)
     (a, b) = endsOf complex v
     (c, d) = endsOf complex w
-
--- | How a face reads a stretch of its chains: as it is where the stretch begins, or backwards, after the end of the
--- half turn.
-data Reading = AsItIs | Backwards
-  deriving (Eq, Ord, Show)
-
--- | A stretch in a chain of a face: the face, the flank of the stretch on which it lies where the stretch begins, how
--- it reads the stretch.
-data Incident = Incident !Int !Int !Flank !Reading
-
--- | All entries of all chains.
-chainIncidences :: Complex -> [Incident]
-chainIncidences complex = concatMap chainsOf (faceIds complex)
-  where
-    chainsOf f =
-      let Chain upper upperRest = upperChain complex f
-          Chain lower lowerRest = lowerChain complex f
-       in incident f Below AsItIs upper
-            <> incident f Above Backwards upperRest
-            <> incident f Above AsItIs lower
-            <> incident f Below Backwards lowerRest
-    incident (FaceId f) flank reading es = [Incident f e flank reading | EdgeId e <- es]
-
--- | By stretch and quarter: how the face there reads the stretch, by its chains. 1 as it is, 2 backwards, 0 if the
--- stretch is not in its chains.
-readings :: Complex -> U.Vector Int8
-readings complex =
-  U.replicate (4 * stretchTotal complex) 0
-    U.// [ (q, if reading == AsItIs then 1 else 2)
-         | Incident f e flank reading <- chainIncidences complex
-         , q <- quartersOf e flank
-         , entry (stretchFaces complex) q == f
-         ]
-
--- | Takes 'readings'.
-readingAt :: U.Vector Int8 -> Int -> Maybe Reading
-readingAt table q = case table U.! q of
-  1 -> Just AsItIs
-  2 -> Just Backwards
-  _ -> Nothing
-
--- | The entries in 'stretchFaces' of a flank of a stretch.
-quartersOf :: Int -> Flank -> [Int]
-quartersOf e Above = [4 * e, 4 * e + 1]
-quartersOf e Below = [4 * e + 2, 4 * e + 3]
 
 -- | @0.1@
 cornerLabel :: Complex -> Int -> String

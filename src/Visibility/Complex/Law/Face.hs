@@ -9,12 +9,13 @@ module Visibility.Complex.Law.Face
 
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
+import Visibility.Complex.Reading
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Scene
 
 -- | /Cost/ O(incidences).
-incidence :: Law
+incidence :: Law Complex
 incidence =
   lawOf
     "a face has a stretch in its chains as often as the stretch has the face"
@@ -26,8 +27,8 @@ incidence =
     check complex =
       [ faceLabel complex f <> " has in its chains " <> stretchLabel complex e <> ", which does not have it "
           <> show flank
-      | Incident f e flank _ <- found
-      , f `notElem` map (entry (stretchFaces complex)) (quartersOf e flank)
+      | Incident (FaceId f) (EdgeId e) flank _ <- found
+      , FaceId f `notElem` edgeFacesOn complex (EdgeId e) flank
       ]
         <> [ stretchLabel complex (q `quot` 4) <> " is in the chains of " <> faceLabel complex f <> " "
                <> show times
@@ -43,17 +44,17 @@ incidence =
           U.accum
             (+)
             (U.replicate (4 * stretchTotal complex) (0 :: Int))
-            [ (q, 1)
+            [ (4 * raw e + fromEnum quarter, 1)
             | Incident f e flank _ <- found
-            , q <- quartersOf e flank
-            , entry (stretchFaces complex) q == f
+            , quarter <- quartersOf flank
+            , faceAt complex e quarter == Just f
             ]
 
 isBounded :: Complex -> Int -> Bool
 isBounded complex f = entry (faceFirsts complex) f >= 0 && entry (faceLasts complex) f >= 0
 
 -- | /Cost/ O(incidences).
-boundedChains :: Law
+boundedChains :: Law Complex
 boundedChains =
   lawOf
     "the chains of a bounded face lead from its first vertex to its last"
@@ -118,7 +119,7 @@ lastOf :: [a] -> [a]
 lastOf = foldl (\_ x -> [x]) []
 
 -- | /Cost/ O(incidences of that face).
-outerChain :: Law
+outerChain :: Law Complex
 outerChain =
   lawOf
     "the lines that miss everything go around the scene"
@@ -152,7 +153,7 @@ outerChain =
         whole = before <> after
 
 -- | /Cost/ O(faces + stretches).
-pairFaces :: Law
+pairFaces :: Law Complex
 pairFaces =
   lawOf
     "an elementary pair begins one face and ends one"
@@ -181,7 +182,7 @@ facesOfPairs complex line = sum (map faces (pairsOf complex line))
     faces (p, q) = if nextCorner scene p == q && previousCorner scene p == q then 2 else 1 :: Int
 
 -- | /Cost/ O(stretches).
-counts :: Law
+counts :: Law Complex
 counts =
   lawOf
     "the numbers of vertices, edges and faces fit"

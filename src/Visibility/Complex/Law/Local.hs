@@ -11,6 +11,7 @@ module Visibility.Complex.Law.Local
 import Data.List (nub)
 import Data.Maybe (isJust)
 import Visibility.Complex.Law.Base
+import Visibility.Complex.Reading
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Ray
@@ -51,7 +52,7 @@ import Visibility.View (End (..), Flank (..), View (..))
 -- it: so 3 + 2 for two convex corners, 2 + 2 and 1 + 3 for a convex and a reflex one, and 2 + 1 for two reflex ones.
 
 -- | /Cost/ O(stretches).
-solidEnds :: Law
+solidEnds :: Law Complex
 solidEnds =
   lawOf
     "a ray is solid where it enters the solid at its corner"
@@ -81,7 +82,7 @@ turnedTo complex e
   | otherwise = edgeTo complex (EdgeId e)
 
 -- | /Cost/ O(stretches).
-degrees :: Law
+degrees :: Law Complex
 degrees =
   lawOf
     "a vertex has the edges and faces that its corners demand"
@@ -99,11 +100,10 @@ degrees =
         free moment d c = length (filter (not . entersSolid scene moment (CornerId c)) [d, reversed d])
         stretch e =
           [ stretchLabel complex e <> " has " <> show have <> " faces, not " <> show want
-          | let have = length (nub (facesAt e))
+          | let have = length (nub (concatMap (edgeFacesOn complex (EdgeId e)) [Above, Below]))
           , let want = 1 + free JustAfter (edgeFrom complex (EdgeId e)) (entry (stretchCorners complex) e)
           , have /= want
           ]
-        facesAt e = [f | q <- [4 * e .. 4 * e + 3], let f = entry (stretchFaces complex) q, f >= 0]
         vertex v =
           [ vertexLabel complex v <> " has " <> show have <> " edges and faces, not " <> show want
               <> (if sum before == sum after then "" else ", and " <> show (sum after) <> " faces after it")
@@ -112,25 +112,21 @@ degrees =
           , let before = map ((+ 1) . free JustBefore d) line
           , let after = map ((+ 1) . free JustAfter d) line
           , let want = (length (filter (> 1) (before <> after)), sum before)
-          , let beginning = stretchesOf complex v
-          , let ending = map (entry (stretchesBefore complex)) beginning
-          , let have = (length (filter (isEdge complex . EdgeId) (beginning <> ending)), around beginning ending)
+          , let beginning = vertexEdgesAfter complex (VertexId v)
+          , let ending = map (edgeBefore complex) beginning
+          , let have = (length (filter (isEdge complex) (beginning <> ending)), around beginning ending)
           , have /= want || sum before /= sum after
           ]
         around beginning ending =
-          length . nub $
-            [place (const id) q | e <- beginning, q <- [4 * e .. 4 * e + 3], entry (stretchFaces complex) q >= 0]
-              <> [ place (if wrapsAround complex (EdgeId e) then const opposed else const id) q
-                 | e <- ending
-                 , q <- [4 * e .. 4 * e + 3]
-                 , entry (stretchFaces complex) q >= 0
-                 ]
-        place turned q = (entry (stretchFaces complex) q, turned q <$> readingAt read' q)
-    opposed AsItIs = Backwards
-    opposed Backwards = AsItIs
+          length (nub (concatMap (places id) beginning <> concatMap (\e -> places (turnedIn e) e) ending))
+        turnedIn e = if wrapsAround complex e then opposed else id
+        places turned e =
+          [(f, turned <$> readingAt read' e q) | q <- [minBound ..], Just f <- [faceAt complex e q]]
+    opposed Forwards = Backwards
+    opposed Backwards = Forwards
 
 -- | /Cost/ O(stretches).
-stretchLabels :: Law
+stretchLabels :: Law Complex
 stretchLabels =
   lawOf
     "the faces at a stretch see what its view demands"
@@ -144,16 +140,15 @@ stretchLabels =
           <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
       | e <- [0 .. stretchTotal complex - 1]
       , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
-      , let q = 4 * e + fromEnum quarter
-      , let f = entry (stretchFaces complex) q
-      , let reading = readingAt read' q
+      , let f = entry (stretchFaces complex) (4 * e + fromEnum quarter)
+      , let reading = readingAt read' (EdgeId e) quarter
       , f < 0 && isJust want || f >= 0 && want `notElem` map Just (labels f reading)
       ]
       where
         read' = readings complex
         label f = (faceBack complex (FaceId f), faceFront complex (FaceId f))
         swap (a, b) = (b, a)
-        labels f (Just AsItIs) = [label f]
+        labels f (Just Forwards) = [label f]
         labels f (Just Backwards) = [swap (label f)]
         labels f Nothing = [label f, swap (label f)]
         shown (Just Backwards) = " read backwards"
@@ -175,7 +170,7 @@ demands scene c view = zip [AboveBack, AboveFront, BelowBack, BelowFront] $ case
     arriving = Side (SideId previous)
 
 -- | /Cost/ O(stretches · n), in machine integers where coordinates are below 2³⁰.
-raysConfirm :: Law
+raysConfirm :: Law Complex
 raysConfirm =
   lawOf
     "rays confirm every view"

@@ -91,7 +91,7 @@ primitiveLine (Direction x y)
     py = y `quot` g
 
 -- | /Cost/ O(incidences), and a sum of square roots per face.
-positiveMeasures :: Law
+positiveMeasures :: Law Complex
 positiveMeasures =
   lawOf
     "every bounded face has a positive measure"
@@ -103,7 +103,7 @@ positiveMeasures =
       ]
 
 -- | /Cost/ O(incidences), and that of the sweep and its form factors.
-summedMeasures :: Law
+summedMeasures :: Law Complex
 summedMeasures =
   lawOf
     "the measures of faces add up to those of the sweep"
@@ -130,7 +130,7 @@ summedMeasures =
     withFirst b = (RootSum.zero, b)
 
 -- | /Cost/ O(incidences).
-closedMeasures :: Law
+closedMeasures :: Law Complex
 closedMeasures =
   lawOf
     "the measures of a side's faces add up to twice its length"

@@ -18,6 +18,7 @@ import Data.Ratio ((%))
 import qualified Data.Set as Set
 import qualified Data.Vector as V
 import Visibility.Complex.Law.Base
+import Visibility.Complex.Reading
 import Visibility.Complex.Type
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
@@ -36,7 +37,7 @@ data Interval = Interval
   deriving (Eq, Ord, Show)
 
 -- | /Cost/ for each of the eight directions O(stretches + n²), in machine integers where coordinates are below 2³⁰.
-sections :: Law
+sections :: Law Complex
 sections =
   lawOf
     "sections are those of the scene"
@@ -124,8 +125,8 @@ sectionOf complex d =
         (V.imap (\e c -> (fromIntegral c, EdgeId e)) (V.convert (stretchCorners complex)))
     -- Is the direction within the stretch, and before or after the end of the half turn?
     readAt e
-      | wrapsAround complex e = if begun then Just AsItIs else if ended then Nothing else Just Backwards
-      | otherwise = if begun && not ended then Just AsItIs else Nothing
+      | wrapsAround complex e = if begun then Just Forwards else if ended then Nothing else Just Backwards
+      | otherwise = if begun && not ended then Just Forwards else Nothing
       where
         begun = beforeLines V.! firstVertex e
         ended = beforeLines V.! lastVertex e
@@ -133,13 +134,11 @@ sectionOf complex d =
     lastVertex e = let VertexId v = edgeLast complex e in v
     -- By vertex: does it come before the direction?
     beforeLines = V.generate (vertexTotal complex) (\v -> compareDirections (lineOf complex v) d == LT)
-    facesAt flank (EdgeId e, reading) =
+    facesAt flank (e, reading) =
       nub
-        [ (f, label f (reading, readingAt read' q))
-        | q <- quartersOf e (if reading == AsItIs then flank else opposite' flank)
-        , let f' = entry (stretchFaces complex) q
-        , f' >= 0
-        , let f = FaceId f'
+        [ (f, label f (reading, readingAt read' e q))
+        | q <- quartersOf (if reading == Forwards then flank else opposite' flank)
+        , Just f <- [faceAt complex e q]
         ]
     label f (mine, its)
       | its == Just mine = (faceBack complex f, faceFront complex f)

@@ -23,7 +23,7 @@ import Visibility.Sweep
 import Visibility.Sweep.Vertical (skyCode)
 
 -- | Lengths fit, and every number is one of something. /Cost/ O(size of the tables).
-wellFormed :: Law
+wellFormed :: Law Complex
 wellFormed =
   lawOf
     "the tables are well formed"
@@ -109,7 +109,7 @@ wellFormed =
                ]
 
 -- | /Cost/ O(stretches).
-vertexStretches :: Law
+vertexStretches :: Law Complex
 vertexStretches =
   lawOf
     "a stretch begins at its vertex"
@@ -122,7 +122,7 @@ vertexStretches =
       ]
 
 -- | /Cost/ O(stretches).
-cornerLinks :: Law
+cornerLinks :: Law Complex
 cornerLinks =
   lawOf
     "the stretches of a corner are linked both ways"
@@ -141,7 +141,7 @@ cornerLinks =
       ]
 
 -- | /Cost/ O(stretches).
-cornerDirections :: Law
+cornerDirections :: Law Complex
 cornerDirections =
   lawOf
     "the vertices of a corner come by increasing direction"
@@ -162,7 +162,7 @@ cornerDirections =
     isLast complex e = entry (lastStretches complex) (entry (stretchCorners complex) e) == e
 
 -- | /Cost/ O(stretches).
-cornersOnLine :: Law
+cornersOnLine :: Law Complex
 cornersOnLine =
   lawOf
     "the corners of a vertex lie on its line, in order"
@@ -182,7 +182,7 @@ cornersOnLine =
     collinear _ _ = False
 
 -- | /Cost/ O(elementary pairs · n), in machine integers where coordinates are below 2³⁰.
-pairsSee :: Law
+pairsSee :: Law Complex
 pairsSee =
   lawOf
     "consecutive corners of a vertex see each other"
@@ -226,7 +226,7 @@ pairsSee =
         scene = complexScene complex
 
 -- | /Cost/ that of the sweep, and O(log m) per vertex.
-sweptVertices :: Law
+sweptVertices :: Law Complex
 sweptVertices =
   lawOf
     "the vertices are those of the scene"

@@ -1,0 +1,302 @@
+-- | What must hold of the complex of polygons. Each law is decided from its tables and the views of stretches; how the
+-- tables were made does not matter.
+module Visibility.Complex.Law.Polygons
+  ( polygonLaws
+  , isGeneral
+  ) where
+
+import Data.Function (on)
+import Data.List (groupBy, nub, sort, sortBy)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isNothing)
+import qualified Data.Vector as V
+import Visibility.Complex.Law.Base
+import Visibility.Complex.Polygons
+import Visibility.Complex.Type
+import Visibility.Scene
+import Visibility.View (Flank (..), View (..))
+
+-- | Does every tangent line touch exactly two polygons, each on one flank? Then moving the corners by little enough
+-- changes nothing. The laws of the literature ask for this.
+isGeneral :: Outlines -> Bool
+isGeneral = all ((== 2) . length . touchedBy) . tangentLines
+
+-- | All laws; all but the first two are about outlines, and hold where there are none.
+--
+-- /Requires/ the complex of polygons of a complex that satisfies its own laws. /Cost/ O(S log S) together, for S
+-- stretches.
+polygonLaws :: [Law PolygonComplex]
+polygonLaws =
+  [ law "quotient: regions partition the faces" "Every face is in exactly one region." $ \made ->
+      orElse "a face is missing or in two regions" $
+        sort (concatMap regionFaces (regions made)) == faceIds (sideComplex made)
+  , law
+      "quotient: labels of a region"
+      "All faces of a region have the region's polygons at their ends, read one way or the other."
+      memberLabels
+  , onOutlines
+      "quotient: tangencies of a vertex"
+      "A vertex touches two different polygons or more; as many edges end as begin there: one for each flank touched."
+      vertexEdges'
+  , onOutlines
+      "quotient: general vertex"
+      "A vertex that touches two polygons on one flank each has 4 edges and 6 faces, as often as they are met."
+      generalVertex
+  , onOutlines
+      "quotient: faces of an edge"
+      "An edge has three faces, as often as they are met, the same all along it, with the polygons at their ends that \
+      \the contact sees."
+      edgeFaces
+  , onOutlines
+      "quotient: curves"
+      "The edges of a polygon are one closed curve that goes over the end of the half turn twice."
+      curves
+  , onOutlines
+      "quotient: chains"
+      "Every bounded face has one first and one last vertex, and two chains of edges from one to the other; the chains \
+      \of the lines that miss everything, or meet one polygon that is alone, are closed. An edge is in the chains of its \
+      \three faces, once each, and in no others."
+      chainsLink
+  , onOutlines
+      "quotient: numbers"
+      "A vertex with t edges after it and w thin walls between its first and last tangency opens t − 1 + w faces and \
+      \closes as many. So V − E + F = 1 + w, w summed over all vertices."
+      numbersFit
+  , onOutlines
+      "quotient: numbers in general position"
+      "If every vertex touches two polygons on one flank each: E = 2V, F = V + 1, V ≥ 4n − 4."
+      $ \made found ->
+        let (vs, es, fs) = sizes made found
+            n = length (scenePolygons (complexScene (sideComplex made)))
+            fits = es == 2 * vs && fs == vs + 1 && vs >= 4 * n - 4
+         in orElse (show (vs, es, fs)) (n < 2 || not (isGeneral found) || fits)
+  , onOutlines
+      "quotient: cuts"
+      "At every direction between those of vertices, 2n edges separate 3n + 1 faces, as often as they are met."
+      cuts
+  ]
+  where
+    onOutlines name statement check = law name statement (\made -> maybe [] (check made) (outlines made))
+
+type Check = PolygonComplex -> Outlines -> [String]
+
+orElse :: String -> Bool -> [String]
+orElse text holds = [text | not holds]
+
+sizes :: PolygonComplex -> Outlines -> (Int, Int, Int)
+sizes made found = (V.length (tangentLines found), V.length (arcs found), V.length (regions made))
+
+-- | The polygons that a line touches, with the flanks on which they lie just after it.
+touchedBy :: TangentLine -> [(PolygonId, Flank)]
+touchedBy line = [(tangencyPolygon t, flank) | t <- lineTangencies line, flank <- tangencyFlanks t]
+
+-- | Thin walls on a line between its first and its last tangency.
+wallsBetween :: TangentLine -> Int
+wallsBetween line = length (filter ((== 2) . length . tangencyFlanks) (drop 1 (take (length touching - 1) touching)))
+  where
+    touching = lineTangencies line
+
+numberedLines :: Outlines -> [(LineId, TangentLine)]
+numberedLines = zip (map LineId [0 ..]) . V.toList . tangentLines
+
+arcOf :: Outlines -> ArcId -> Arc
+arcOf found (ArcId a) = arcs found V.! a
+
+-- | How many things have a line as their end of one kind.
+tally :: (a -> Maybe LineId) -> V.Vector a -> LineId -> Int
+tally end things = \i -> Map.findWithDefault 0 i times
+  where
+    times = Map.fromListWith (+) [(i, 1) | Just i <- map end (V.toList things)]
+
+lineText :: PolygonComplex -> TangentLine -> String
+lineText made = vertexLabel (sideComplex made) . (\(VertexId v) -> v) . lineVertex
+
+arcText :: Arc -> String
+arcText arc = unwords ["edge of", polygonText (arcPolygon arc), show (arcFlank arc), show (arcFirst arc, arcLast arc)]
+
+-- | A face as it is met so many half turns later.
+later :: Int -> Aspect -> Aspect
+later more (Aspect r turns) = Aspect r (turns + more)
+
+memberLabels :: PolygonComplex -> [String]
+memberLabels made =
+  [ show (r, f, own)
+  | (r, region) <- zip [0 :: Int ..] (V.toList (regions made))
+  , f <- regionFaces region
+  , let own = (label (faceBack complex f), label (faceFront complex f))
+  , own `notElem` [(regionBack region, regionFront region), (regionFront region, regionBack region)]
+  ]
+  where
+    complex = sideComplex made
+    label = polygonLabel (complexScene complex)
+
+vertexEdges' :: Check
+vertexEdges' made found = concatMap check (numberedLines found)
+  where
+    begun = at arcFirst arcFlank
+    ended = at arcLast (endFlank made)
+    at end flank =
+      Map.fromListWith (flip (<>)) [(i, [(arcPolygon a, flank a)]) | a <- V.toList (arcs found), Just i <- [end a]]
+    check (i, line) =
+      orElse (lineText made line <> ": " <> show touched) $
+        length (nub (map fst touched)) >= 2
+          && Map.lookup i begun == Just touched
+          && fmap sort (Map.lookup i ended) == Just (sort touched)
+          && contacts == sort (nub contacts)
+      where
+        touched = touchedBy line
+        contacts = map tangencyCorner (lineTangencies line)
+
+-- | The flank on which the polygon of an edge lies where the edge ends.
+endFlank :: PolygonComplex -> Arc -> Flank
+endFlank made arc = flankAfter (arcTurns (sideComplex made) arc) (arcFlank arc)
+
+generalVertex :: Check
+generalVertex made found =
+  [ lineText made line <> ": " <> show faces
+  | (i, line) <- numberedLines found
+  , length (touchedBy line) == 2
+  , let faces = nub (map once (Map.findWithDefault [] i around))
+  , length faces /= 6
+  ]
+  where
+    around =
+      Map.fromListWith (<>) $
+        [(i, arcFaces a) | a <- V.toList (arcs found), Just i <- [arcFirst a]]
+          <> [ (i, map (later (arcTurns (sideComplex made) a)) (arcFaces a))
+             | a <- V.toList (arcs found)
+             , Just i <- [arcLast a]
+             ]
+    -- The lines that miss everything come again after a full turn.
+    once aspect@(Aspect r@(RegionId k) turns)
+      | isNothing (firstLine (boundaries found V.! k)) = Aspect r (turns `mod` 2)
+      | otherwise = aspect
+
+edgeFaces :: Check
+edgeFaces made found = concatMap check (arcs found)
+  where
+    complex = sideComplex made
+    scene = complexScene complex
+    label = polygonLabel scene
+    regionOf = Map.fromList (concat (zipWith members [0 ..] (V.toList (regions made))))
+    members r region = [(f, RegionId r) | f <- regionFaces region]
+    seenAs' (Aspect (RegionId r) turns)
+      | isBackwards turns = (regionFront region, regionBack region)
+      | otherwise = (regionBack region, regionFront region)
+      where
+        region = regions made V.! r
+    check arc =
+      orElse (arcText arc <> ": not three faces") (length (nub (arcFaces arc)) == 3 && not (null (arcStretches arc)))
+        <> concat (zipWith stretch passed (arcStretches arc))
+      where
+        -- The half turns from where the edge begins to each stretch.
+        passed = scanl (+) 0 (map (fromEnum . wrapsAround complex) (arcStretches arc))
+        own = OfPolygon (arcPolygon arc)
+        stretch turns e = case edgeView complex e of
+          Tangent flank back front ->
+            orElse text $
+              flank == flankAfter turns (arcFlank arc)
+                && polygonOfCorner scene (edgeCorner complex e) == arcPolygon arc
+                && map (Just . aspectRegion) faces == [(`Map.lookup` regionOf) =<< faceAt complex e q | q <- quarters]
+                && map seenAs' faces == [(label back, label front), (label back, own), (own, label front)]
+            where
+              quarters = case flank of
+                Above -> [BelowBack, AboveBack, AboveFront]
+                Below -> [AboveBack, BelowBack, BelowFront]
+          _ -> [text]
+          where
+            text = arcText arc <> " at " <> let EdgeId k = e in stretchLabel complex k
+            faces
+              | isBackwards turns = map (later turns) [arcAcross arc, arcFront arc, arcBack arc]
+              | otherwise = map (later turns) (arcFaces arc)
+
+curves :: Check
+curves made found =
+  concat
+    [ orElse ("polygon " <> polygonText p) (isCurve (Map.findWithDefault [] p byPolygon))
+    | polygon <- scenePolygons (complexScene (sideComplex made))
+    , let p = polygonId polygon
+    ]
+  where
+    byPolygon = Map.fromListWith (<>) [(arcPolygon a, [a]) | a <- V.toList (arcs found)]
+    start a = (arcFirst a, arcFlank a)
+    end a = (arcLast a, endFlank made a)
+    isCurve own =
+      sort (map start own) == sort (map end own)
+        && sum (map (arcTurns (sideComplex made)) own) == 2
+        && and [length (a : takeWhile (/= a) (steps a)) == length own | a <- take 1 (map start own)]
+      where
+        -- From one edge to the next, at most as many as there are.
+        steps = take (length own) . drop 1 . iterate (\a -> Map.findWithDefault a a onward)
+        onward = Map.fromList [(start a, end a) | a <- own]
+
+chainsLink :: Check
+chainsLink made found = concat (V.toList (V.imap check (boundaries found))) <> once
+  where
+    complex = sideComplex made
+    arc = arcOf found
+    turnsOf chain = sum [arcTurns complex (arc a) | (a, _) <- chain]
+    isOuter r = any (isNothing . faceFirst complex) (regionFaces (regions made V.! r))
+    check r (Boundary from to upper lower) = orElse ("face " <> show r) $ case (from, to) of
+      (Just _, Just _) -> all (between from to) [upper, lower] && turnsOf upper == turnsOf lower
+      (Nothing, Nothing)
+        | isOuter r -> null upper && isClosed lower && all ((`elem` [0, 1]) . snd) (take 1 lower)
+        | otherwise -> length (scenePolygons (complexScene complex)) == 1 && isClosed upper && isClosed lower
+      _ -> False
+    between from to chain =
+      map (arcFirst . arc . fst) (take 1 chain) == [from]
+        && map (arcLast . arc . fst) (take 1 (reverse chain)) == [to]
+        && map snd (take 1 chain) == [0]
+        && linked chain
+    isClosed chain = turnsOf chain == 2 && linked (chain <> [(a, turns + 2) | (a, turns) <- take 1 chain])
+    linked chain = and (zipWith follows chain (drop 1 chain))
+    follows (a, turns) (b, turns') = arcLast (arc a) == arcFirst (arc b) && turns + arcTurns complex (arc a) == turns'
+
+    -- Which face bounds which edge from where, by the chains and by the edges.
+    once = orElse "edges in chains" (sort byChains == sort byEdges)
+    byChains =
+      [ (a, Aspect (RegionId r) turns, flankAfter turns flank)
+      | (r, boundary) <- zip [0 ..] (V.toList (boundaries found))
+      , (chain, flank) <- [(upperArcs boundary, Below), (lowerArcs boundary, Above)]
+      , (a, turns) <- chain
+      ]
+    byEdges =
+      [ (ArcId a, aspect, flank)
+      | (a, one) <- zip [0 ..] (V.toList (arcs found))
+      , (aspect, flank) <- zip (arcFaces one) (flankAfter 1 (arcFlank one) : repeat (arcFlank one))
+      ]
+
+numbersFit :: Check
+numbersFit made found =
+  orElse (show (vs, es, fs)) (vs - es + fs == 1 + sum (fmap wallsBetween (tangentLines found)))
+    <> [ lineText made line
+       | (i, line) <- numberedLines found
+       , let expected = length (touchedBy line) - 1 + wallsBetween line
+       , opened i /= expected || closed i /= expected
+       ]
+  where
+    (vs, es, fs) = sizes made found
+    (opened, closed) = (tally firstLine (boundaries found), tally lastLine (boundaries found))
+
+cuts :: Check
+cuts made found =
+  [ place <> ": " <> show (edges, faces)
+  | n >= 1
+  , (place, edges, faces) <- scanl passing ("before all vertices", edgesAt, facesAt) groups
+  , edges /= 2 * n || faces /= 3 * n - 1
+  ]
+  where
+    complex = sideComplex made
+    n = length (scenePolygons (complexScene complex))
+    edgesAt = sum (fmap (arcTurns complex) (arcs found))
+    -- The bounded faces, as often as the end of the half turn cuts them. The unbounded one is met above all and below
+    -- all.
+    facesAt = sum [arcTurns complex (arcOf found a) | (a, _) <- concatMap upperArcs (boundaries found)]
+    groups = groupBy (\a b -> byDirection a b == EQ) (sortBy byDirection (numberedLines found))
+    byDirection = compareLines complex `on` ((\(VertexId v) -> v) . lineVertex . snd)
+    passing (_, edges, faces) group = (place, edges + change begun ended, faces + change opened closed)
+      where
+        change up down = sum [up i - down i | (i, _) <- group]
+        place = concat ["after " <> lineText made line | (_, line) <- take 1 group]
+    (begun, ended) = (tally arcFirst (arcs found), tally arcLast (arcs found))
+    (opened, closed) = (tally firstLine (boundaries found), tally lastLine (boundaries found))

@@ -1,0 +1,69 @@
+-- | How the faces of a complex read the stretches of their chains.
+--
+-- Where the half turn ends, every line comes again with back and front, above and below exchanged. So a face that goes
+-- on over the end reads the stretches that come after it backwards.
+module Visibility.Complex.Reading
+  ( Reading (..)
+  , Incident (..)
+  , chainIncidences
+  , Readings
+  , readings
+  , readingAt
+  , quartersOf
+  ) where
+
+import Data.Int (Int8)
+import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Type
+import Visibility.View (Flank (..))
+
+-- | How a face is read: in the half turn that it begins in, or in the following one. The face of the lines that miss
+-- everything lies above all curves in the one reading, below all of them in the other.
+data Reading = Forwards | Backwards
+  deriving (Eq, Ord, Show, Enum)
+
+-- | A stretch in a chain of a face: the face, the stretch, the flank of the stretch on which the face lies where the
+-- stretch begins, and how the face reads the stretch.
+data Incident = Incident !FaceId !EdgeId !Flank !Reading
+
+-- | All entries of all chains.
+chainIncidences :: Complex -> [Incident]
+chainIncidences complex = concatMap chainsOf (faceIds complex)
+  where
+    chainsOf f =
+      let Chain upper upperRest = upperChain complex f
+          Chain lower lowerRest = lowerChain complex f
+          incident flank reading = map (\e -> Incident f e flank reading)
+       in incident Below Forwards upper
+            <> incident Above Backwards upperRest
+            <> incident Above Forwards lower
+            <> incident Below Backwards lowerRest
+
+-- | By stretch and quarter: how the face there reads the stretch, by its chains.
+newtype Readings = Readings (U.Vector Int8)
+
+-- | /Cost/ O(incidences).
+readings :: Complex -> Readings
+readings complex =
+  Readings $
+    U.replicate (U.length (stretchFaces complex)) 0
+      U.// [ (place e quarter, if reading == Forwards then 1 else 2)
+           | Incident f e flank reading <- chainIncidences complex
+           , quarter <- quartersOf flank
+           , faceAt complex e quarter == Just f
+           ]
+
+-- | 'Nothing' where there is no face, or, in broken tables, if the stretch is not in the chains of the face.
+readingAt :: Readings -> EdgeId -> Quarter -> Maybe Reading
+readingAt (Readings table) e quarter = case table U.! place e quarter of
+  1 -> Just Forwards
+  2 -> Just Backwards
+  _ -> Nothing
+
+place :: EdgeId -> Quarter -> Int
+place (EdgeId e) quarter = 4 * e + fromEnum quarter
+
+-- | The two quarters on a flank, from back to front.
+quartersOf :: Flank -> [Quarter]
+quartersOf Above = [AboveBack, AboveFront]
+quartersOf Below = [BelowBack, BelowFront]
