@@ -4,17 +4,19 @@
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 seed=${1:-1}
-# QuickCheck cases of each property in the run at -O0, which is slow, and what that run leaves out: what takes long and
-# stands on parts that it keeps. It keeps exact arithmetic, scenes, sweeps and formats.
+# QuickCheck cases of each property in the run at -O0, which is slow, and what that run keeps: exact arithmetic, scenes,
+# sweeps and formats. The rest takes long and stands on these.
 o0_cases=${O0_CASES:-20}
-o0_skipped=()
+o0_kept=(Exact Scene Sweep View Format Sorting Law)
+# The run at -O2 is two processes of about the same length; the tests of the first one.
+first=(/Command Visibility.Draw Visibility.Radiosity Visibility.Complex)
 
 # hspec's summary is "N examples, N failures[, N pending]". A pending test counts as failed, and so does a run that ends
 # without a summary or without a single test.
 passed=0 failed=0
 count() { # log, status of the run
   local line examples failures pending
-  line=$(grep -E '^[0-9]+ examples?, [0-9]+ failures?' "$1" | tail -n 1) || { failed=$((failed + 1)); return; }
+  line=$(grep -E '^[0-9]+ examples?, [0-9]+ failures?' "$1" 2> /dev/null | tail -n 1) || { failed=$((failed + 1)); return; }
   examples=$(sed -E 's/^([0-9]+) example.*/\1/' <<< "$line")
   failures=$(sed -E 's/.*, ([0-9]+) failure.*/\1/' <<< "$line")
   pending=$(sed -nE 's/.*, ([0-9]+) pending.*/\1/p' <<< "$line")
@@ -24,8 +26,8 @@ count() { # log, status of the run
   if [ "$examples" = 0 ] || { [ "$2" != 0 ] && [ "$failures" = 0 ]; }; then failed=$((failed + 1)); fi
 }
 
-logs=$(mktemp -d) beside=
-trap '[ -z "$beside" ] || kill -- "-$beside" 2> /dev/null || true; rm -rf "$logs"' EXIT
+logs=$(mktemp -d) beside=()
+trap 'for group in ${beside[@]+"${beside[@]}"}; do kill -- "-$group" 2> /dev/null || true; done; rm -rf "$logs"' EXIT
 mkdir -p "$BUILDDIR"
 # hspec-discover runs only when Spec.hs is compiled, so a new spec must touch it.
 specs=$(find test -name '*Spec.hs' | sort)
@@ -33,39 +35,51 @@ if [ "$specs" != "$(cat "$BUILDDIR/specs" 2> /dev/null)" ]; then touch test/Spec
 describe
 export DESCRIBED=yes
 
-# level, options of cabal: builds, and runs the suite with the options of hspec in the array `chosen`.
-level() {
-  local level=$1 begun=$SECONDS
-  shift
-  build "$@" exe:viscomplex test:spec ||
-    { echo "The tests could not be built at $level."; touch "$logs/$level-unbuilt"; return 1; }
-  echo
-  echo "== tests at $level, with seed $seed; built in $((SECONDS - begun)) s"
-  VISCOMPLEX_EXE=$(built "$@" exe:viscomplex) "$(built "$@" test:spec)" --seed="$seed" "${chosen[@]}" 2>&1 |
-    tee "$logs/$level"
+compiled() { # level, options of cabal: sets the executable, and that of the suite
+  local begun=$SECONDS
+  build "${@:2}" exe:viscomplex test:spec || { echo "The tests could not be built at $1."; return 1; }
+  export VISCOMPLEX_EXE
+  VISCOMPLEX_EXE=$(built "${@:2}" exe:viscomplex)
+  suite=$(built "${@:2}" test:spec)
+  echo "== built at $1 in $((SECONDS - begun)) s"
 }
-judge() { # level, status of its run
-  if [ -e "$logs/$1-unbuilt" ]; then failed=$((failed + 1)); else count "$logs/$1" "$2"; fi
+run() { # log, title, options of hspec
+  echo
+  echo "== tests $2, with seed $seed"
+  "$suite" --seed="$seed" --print-cpu-time "${@:3}" 2>&1 | tee "$logs/$1"
+}
+apart() { # log, command: in a process group of its own, so that all of it can be stopped
+  set -m
+  "${@:2}" > "$logs/$1-said" 2>&1 &
+  set +m
+  beside+=($!)
+}
+joined() { # log, its place among those apart
+  local status=0
+  wait "${beside[$2]}" || status=$?
+  unset "beside[$2]"
+  cat "$logs/$1-said"
+  count "$logs/$1" "$status"
 }
 
-# Both levels are built and run at the same time, each by one thread: on two cores that is faster than one after the
-# other by two threads. The one beside is a process group of its own, so that all of it can be stopped.
-set -m
-(
+# Both levels are built at the same time; the one at -O0 takes what time the other one leaves.
+unoptimised() {
   BUILDDIR=$BUILDDIR/O0
-  chosen=(--qc-max-success="$o0_cases" "${o0_skipped[@]/#/--skip=}")
-  level -O0 -O0 --ghc-options='-O0 -j1'
-) > "$logs/beside" 2>&1 & beside=$!
-set +m
-status=0
-chosen=(--print-cpu-time)
-level -O2 --ghc-options=-j1 || status=$?
-judge -O2 "$status"
-status=0
-wait "$beside" || status=$?
-beside=
-cat "$logs/beside"
-judge -O0 "$status"
+  renice -n 10 $BASHPID > /dev/null
+  compiled -O0 -O0 --ghc-options='-O0 -j1' || return
+  run O0 'at -O0' --qc-max-success="$o0_cases" "${o0_kept[@]/#/--match=Visibility.}"
+}
+apart O0 unoptimised
+if compiled -O2 --ghc-options=-j2; then
+  apart O2-first run O2-first 'at -O2, first half' "${first[@]/#/--match=}"
+  status=0
+  run O2-second 'at -O2, second half' "${first[@]/#/--skip=}" || status=$?
+  count "$logs/O2-second" "$status"
+  joined O2-first 1
+else
+  failed=$((failed + 1))
+fi
+joined O0 0
 echo "The seed was $seed: make test SEED=$seed does the same again."
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
