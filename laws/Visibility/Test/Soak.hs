@@ -1,5 +1,5 @@
--- | What a soak asks of a scene, and the families of scenes that it asks it of: the sweep's result is that of brute
--- force, and the measures close exactly.
+-- | What a soak asks of a scene: that the sweep finds what brute force finds, and that closure is exact. Also the
+-- families of scenes that it is asked of.
 module Visibility.Test.Soak
   ( SoakFamily (..)
   , soakFamilies

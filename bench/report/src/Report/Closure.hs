@@ -1,4 +1,4 @@
--- | Closure: the form factors of a side add up to the part of it that nothing covers. How far they do not.
+-- | How far the form factors of a side are from closure, that is, from adding up to the part of it that nothing covers.
 module Report.Closure
   ( Closure (..)
   , tolerance
