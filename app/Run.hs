@@ -10,7 +10,6 @@ module Run
   , printed
   , streamed
   , written
-  , orComplain
   , complain
   , ends
   ) where

@@ -11,16 +11,17 @@ module Visibility.Exact.DoubleDouble
     Double2 (..)
   , machineLength
   , scaledLength
-  , doubleLength
     -- * Sums
   , Sum2 (..)
   , noLengths
   , plusLength
     -- * Quotients
   , nearestHalfQuotient
-  , halfQuotientDouble
   , Scaled (..)
   , scaledHalfQuotient
+    -- * Error-free transformations
+  , twoSum
+  , twoProduct
     -- * What is proved
   , sumEnclosure
   , quotientEnclosure
@@ -97,20 +98,6 @@ scaledLength k x y w
     place = surplus - onto128 - k
     notANumber = 0 / 0 :: Double
 
--- | The length of a vector of Doubles, like 'machineLength', as long as no square leaves the range of Doubles; but
--- nothing is proved of it.
-doubleLength :: Double -> Double -> Double2
-doubleLength x y
-  | h == 0 = Double2 0 0
-  | otherwise = Double2 s (e / (2 * s))
-  where
-    (a, a') = twoProduct x x
-    (b, b') = twoProduct y y
-    (h, l) = twoSum a b
-    s = sqrt h
-    (p, p') = twoProduct s s
-    e = ((h - p) - p') + (l + (a' + b'))
-
 -- | A sum of lengths with signs: its two parts, the sum of the lengths without signs, and their number.
 data Sum2 = Sum2 !Double !Double !Double !Double
 
@@ -182,10 +169,6 @@ scaledHalfQuotient total@(Sum2 _ _ _ count) by
     low = middle - wide
     high = middle + wide
 {-# INLINE scaledHalfQuotient #-}
-
--- | A sum of lengths divided by twice a length, in one Double, without asking whether it is the nearest one.
-halfQuotientDouble :: Sum2 -> Double2 -> Double
-halfQuotientDouble total by = let Quotient2 _ h _ _ = halfQuotient total by in h
 
 -- | Is the sum surely positive? If so, its quotient is within the third number of the sum of the first two.
 data Quotient2 = Quotient2 !Bool !Double !Double !Double

@@ -39,7 +39,7 @@ plainStrings scene pieces = matrixFrom n $ eachPair n groups $ \g from ->
 -- /Cost/ O(1) per elementary pair.
 compensatedStrings :: Scene -> [Piece] -> Matrix
 compensatedStrings scene pieces = matrixFrom n $ eachPair n groups $ \g from ->
-  halfQuotientDouble (groupTerms longer noLengths groups g) (halves V.! from)
+  halfQuotient (groupTerms longer noLengths groups g) (halves V.! from)
   where
     longer total slot = plusLength total (distances V.! slot)
     terms = termsInPieces scene pieces
@@ -47,6 +47,29 @@ compensatedStrings scene pieces = matrixFrom n $ eachPair n groups $ \g from ->
     n = V.length halves
     distances = V.generate (slotCount terms) (uncurry doubleLength . displacement scene terms)
     halves = V.fromList (map (uncurry doubleLength . spanOf scene) (statedSides scene))
+
+-- | The length of a vector of Doubles, like 'machineLength', as long as no square leaves the range of Doubles; but
+-- nothing is proved of it.
+doubleLength :: Double -> Double -> Double2
+doubleLength x y
+  | h == 0 = Double2 0 0
+  | otherwise = Double2 s (e / (2 * s))
+  where
+    (a, a') = twoProduct x x
+    (b, b') = twoProduct y y
+    (h, l) = twoSum a b
+    s = sqrt h
+    (p, p') = twoProduct s s
+    e = ((h - p) - p') + (l + (a' + b'))
+
+-- | A sum of lengths divided by twice a length, in one Double, without asking whether it is the nearest one.
+halfQuotient :: Sum2 -> Double2 -> Double
+halfQuotient (Sum2 a b _ _) (Double2 length1 length2) = q + (((x - p) - p') + (x' - q * (2 * length2))) / d
+  where
+    (x, x') = twoSum a b
+    d = 2 * length1
+    q = x / d
+    (p, p') = twoProduct q d
 
 -- | Puts the value of each group from both of its numbers, but not from the sky, whose number is n.
 eachPair :: Int -> Groups -> (Int -> Int -> Double) -> (Int -> Int -> Double -> ST s ()) -> ST s ()

@@ -163,9 +163,9 @@ judged plan found truth way row = case way of
   where
     scene = caseScene found
 
--- | The rows with a side that is open.
-openRows :: [Row] -> [Row]
-openRows rows = [r | r <- rows, Just closure <- [rowClosure r], closureOpen closure > 0]
+-- | Is a side open?
+isOpen :: Row -> Bool
+isOpen = maybe False ((> 0) . closureOpen) . rowClosure
 
 -- | Open sides, of all.
 openShare :: [Row] -> String
@@ -178,9 +178,9 @@ openText rows =
   "Doubles leave "
     <> openShare doubles
     <> " sides open, on "
-    <> show (length (openRows doubles))
+    <> show (length (filter isOpen doubles))
     <> " scenes, on "
-    <> show (length [() | r <- openRows doubles, rowVerdict r == Correct])
+    <> show (length [() | r <- doubles, isOpen r, rowVerdict r == Correct])
     <> " of which all their pairs are right; and "
     <> show (length [() | r <- doubles, Wrong _ _ <- [rowVerdict r], Just 0 <- [closureOpen <$> rowClosure r]])
     <> " of their wrong graphs close. The others leave "
@@ -194,7 +194,7 @@ closureOfDoubles :: [Row] -> [String]
 closureOfDoubles rows = case mapMaybe rowClosure rows of
   [] -> ["no graph", "no graph", "no graph"]
   found ->
-    [ case openRows rows of
+    [ case filter isOpen rows of
         [] -> "never"
         r : _ -> show (rowStep r)
     , openShare rows
@@ -249,30 +249,19 @@ signText rows = case signsIn rows of
     where
       (hardest, most) = mostLeft found
 
--- | Verdicts as they are told apart in the plot.
-data Kind = RightKind | OpenKind | WrongKind | RefusedKind | NoneKind
-  deriving (Eq)
-
-kindOf :: Verdict -> Kind
-kindOf verdict = case verdict of
-  Correct -> RightKind
-  Wrong _ _ -> WrongKind
-  NoAnswer Refused -> RefusedKind
-  NoAnswer _ -> NoneKind
-
--- | With closure.
-kindIn :: Row -> Kind
-kindIn r = case kindOf (rowVerdict r) of
-  RightKind | not (null (openRows [r])) -> OpenKind
-  kind -> kind
-
-kindWord :: Kind -> String
-kindWord kind = case kind of
-  RightKind -> verdictWord Correct
-  OpenKind -> "right pairs, but form factors that do not add up"
-  WrongKind -> verdictWord (Wrong 0 0)
-  RefusedKind -> failureWord Refused
-  NoneKind -> "crashed, or out of time or memory"
+-- | The marks of the plot: which rows have which.
+kinds :: [(String, Style, Marker, Row -> Bool)]
+kinds =
+  [ (verdictWord Correct, Series2, Circle, \r -> rowVerdict r == Correct && not (isOpen r))
+  , ("right pairs, but form factors that do not add up", Series4, Diamond, \r -> rowVerdict r == Correct && isOpen r)
+  , (verdictWord (Wrong 0 0), Series3, Cross, \r -> case rowVerdict r of Wrong _ _ -> True; _ -> False)
+  , (failureWord Refused, Series5, Triangle, (== NoAnswer Refused) . rowVerdict)
+  , ( "crashed, or out of time or memory"
+    , Series7
+    , Square
+    , \r -> case rowVerdict r of NoAnswer failure -> failure /= Refused; _ -> False
+    )
+  ]
 
 plot :: Plan -> [Row] -> Plot
 plot plan rows =
@@ -282,20 +271,14 @@ plot plan rows =
     , plotAcross = Steps "k: the scene gets harder with it"
     , plotUpwards = Names [Text.pack (family' <> ", " <> way) | (family', way) <- places]
     , plotSeries =
-        [ Series (Text.pack (kindWord kind)) style marker Apart $
+        [ Series (Text.pack word) style marker Apart $
             [ (fromIntegral (rowStep r), height)
             | (height, place) <- zip [0 ..] places
             , r <- rows
             , (rowLadder r, rowWay r) == place
-            , kindIn r == kind
+            , chosen r
             ]
-        | (kind, style, marker) <-
-            [ (RightKind, Series2, Circle)
-            , (OpenKind, Series4, Diamond)
-            , (WrongKind, Series3, Cross)
-            , (RefusedKind, Series5, Triangle)
-            , (NoneKind, Series7, Square)
-            ]
+        | (word, style, marker, chosen) <- kinds
         ]
     }
   where
