@@ -66,11 +66,11 @@ joined() { # log, its place among those apart
 unoptimised() {
   BUILDDIR=$BUILDDIR/O0
   renice -n 10 $BASHPID > /dev/null
-  compiled -O0 -O0 --ghc-options='-O0 -j1' || return
+  compiled -O0 -O0 --ghc-options='-O0 -j1 +RTS -A64m -RTS' || return
   run O0 'at -O0' --qc-max-success="$o0_cases" "${o0_kept[@]/#/--match=Visibility.}"
 }
 apart O0 unoptimised
-if compiled -O2 --ghc-options=-j2; then
+if compiled -O2 --ghc-options='-j2 +RTS -A64m -RTS'; then
   apart O2-first run O2-first 'at -O2, first half' "${first[@]/#/--match=}"
   status=0
   run O2-second 'at -O2, second half' "${first[@]/#/--skip=}" || status=$?
