@@ -9,7 +9,7 @@ seed=${1:-1}
 o0_cases=${O0_CASES:-20}
 o0_kept=(Exact Scene Sweep View Format Sorting Law)
 # The run at -O2 is two processes of about the same length; the tests of the first one.
-first=(/Command Visibility.Draw Visibility.Radiosity Visibility.Complex)
+first=(/Command /Report/ Visibility.Draw Visibility.Radiosity Visibility.Complex)
 
 # hspec's summary is "N examples, N failures[, N pending]". A pending test counts as failed, and so does a run that ends
 # without a summary or without a single test.
