@@ -24,6 +24,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Exact.Predicate
 import Visibility.Scene
+import Visibility.Sweep.Reference.Plant
 import Visibility.Sweep.Reference.Tree
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical

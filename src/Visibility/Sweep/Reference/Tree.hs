@@ -11,7 +11,6 @@ module Visibility.Sweep.Reference.Tree
     Tree (..)
   , Target (..)
   , Rank
-  , planted
   , cornerAhead
     -- * To sweep a pair
   , advance
@@ -19,22 +18,26 @@ module Visibility.Sweep.Reference.Tree
   , Change (..)
   , Search (..)
   , Way (..)
+    -- * To grow a tree
+  , bareTree
+  , grownBy
+  , relink
     -- * Chains
   , linkable
   , lastArrival
   , hides
   , rankOf
   , turned
+  , comesBefore
   , besides
   ) where
 
 import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, listToMaybe)
+import Data.Maybe (fromMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
-import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
@@ -201,39 +204,12 @@ data Search = Search
   }
   deriving (Eq, Show)
 
--- | The tree just above −90°, from what is below each corner. /Cost/ O(n log n).
---
--- Corners are visited from right to left. For each object that the vertical meets, the lower hull of the corners
--- visited above it is kept, the nearest corner first: that is what a ray turning up from the object meets.
-planted :: Scene -> Vertical -> Heading -> Tree
-planted scene vertical way = foldl' (relink scene) (foldl' grown bare (Map.toList firsts)) (corners scene)
+-- | The tree without tree edges: only the sides arrive.
+bareTree :: Scene -> Heading -> Tree
+bareTree scene way = Tree way Map.empty (foldl' withSide Map.empty sidesAhead) Set.empty Map.empty
   where
-    bare =
-      Tree
-        { heading = way
-        , targets = Map.empty
-        , arrivals = foldl' (\found (p, q) -> arriving scene way (ToCorner q) p found) Map.empty sidesAhead
-        , linked = Set.empty
-        , otherEnd = Map.empty
-        }
     sidesAhead = [(p, q) | p <- corners scene, q <- besides scene p, comesBefore way p q]
-    grown tree (p, t) = grownBy scene tree p t
-    firsts = snd (foldl' visit (Map.empty, Map.empty) (reverse (along way (cornerCount scene))))
-    objectsBelow = (case way of Rightward -> floors; Leftward -> ceilings) vertical
-    visit (hulls, found) c = (started (maybe hulls (\o -> Map.insert o (p : hull o) hulls) below), targeted found)
-      where
-        p = CornerId c
-        below = objectOf scene (fromIntegral (objectsBelow U.! c))
-        hull o = fromTangent (Map.findWithDefault [] o hulls)
-        fromTangent (a : b : rest) | turned scene p a b == RightTurn = fromTangent (b : rest)
-        fromTangent rest = rest
-        targeted = maybe id (Map.insert p) $ case below of
-          Just o -> Just (maybe ToSky ToCorner (listToMaybe (hull o)))
-          Nothing -> ToCorner <$> lowest (filter (comesBefore way p) (besides scene p))
-        lowest [a, b] | turned scene p a b == RightTurn = Just b
-        lowest sides' = listToMaybe sides'
-        -- Solid is on the left of a side: the one from p to a corner on the left is free above, and met from here on.
-        started = if comesBefore way (nextCorner scene p) p then Map.insert (Side (SideId c)) [p] else id
+    withSide lists (p, q) = arriving scene way (ToCorner q) p lists
 
 -- | Makes the tree edge of a corner the leaf of its chain. /Requires/ that so is what arrives there last.
 separate :: Tree -> CornerId -> Tree
