@@ -64,9 +64,10 @@ headingTurn points a b c d = case pointsKernel points of
   _ -> otherTurn points a b c d
 {-# INLINE headingTurn #-}
 
--- | 'headingTurn' under all other kernels, kept out of the code that is inlined at every call.
+-- | 'headingTurn' under all other kernels, kept out of the code that is inlined at every call. Were it lazy in the
+-- corners, as a given function may be, the sweep would allocate their numbers for each turn.
 otherTurn :: Points -> Int -> Int -> Int -> Int -> Turn
-otherTurn points a b c d = case pointsKernel points of
+otherTurn points !a !b !c !d = case pointsKernel points of
   DoubleKernel xs -> doubleTurn xs a b c d
   MachineKernel _ -> integerTurn points a b c d
   FilterKernel xs -> filteredTurn points xs a b c d

@@ -118,18 +118,26 @@ run state !most = go
           writePrimArray (isPending state) p 0
           let popped = now {depth = depth now - 1}
           ahead <- getList (rightTree state) (target p)
-          if isCornerList ahead then try popped p (listOwner ahead) (tryLeft popped p) else tryLeft popped p
+          if isCornerList ahead then try OfRightTree popped p p (listOwner ahead) else tryLeft popped p
     tryLeft !now !p = do
       back <- getList (leftTree state) (target p)
-      if isCornerList back then try now (listOwner back) p (go now) else go now
-    -- Sweeps the vertex with the pair of a and b on it, if it may be swept, and goes on; or else does what is given.
-    try !now !a !b otherwise' = do
+      if isCornerList back then try OfLeftTree now p (listOwner back) p else go now
+    -- Sweeps the vertex with the next pair of p in one of the trees, of a and b, if it may be swept, and goes on.
+    try which !now !p !a !b = do
       ready <- readiness state a b
       case ready of
-        NotReady -> otherwise'
+        NotReady -> failed which now p
         ReadyPair -> sweepPair state now a b >>= go
-        PerhapsLine -> readyLine state a b >>= maybe otherwise' (\line -> sweepVertex state now line >>= go)
-    {-# INLINE try #-}
+        PerhapsLine -> tryLine which now p a b
+    -- Apart, so that nothing is allocated for it where it is not needed.
+    tryLine which !now !p !a !b =
+      readyLine state a b >>= maybe (failed which now p) (\line -> sweepVertex state now line >>= go)
+    failed which !now !p = case which of
+      OfRightTree -> tryLeft now p
+      OfLeftTree -> go now
+
+-- | In which tree a pair is the next one of its corner.
+data Next = OfRightTree | OfLeftTree
 
 -- | Whether a pair may be swept.
 data Readiness
@@ -172,11 +180,32 @@ continuing f !a !b !l
 
 -- | The vertex that this pair is on, if it may be swept. See Note [Line] of the reference.
 --
--- /Cost/ O(log k) for each of k corners.
+-- /Cost/ O(1) for each corner; O(log k) for each of k corners where there are split ends.
 readyLine :: Running s -> Int -> Int -> ST s (Maybe Vertex)
-readyLine state@Running {sweptScene = scene} !p !q = (>>= vertexOn) <$> collected [p] (IntSet.singleton p)
+readyLine state@Running {sweptScene = scene} !p !q
+  | hasSplitEnds scene = (>>= vertexOn . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
+  | otherwise = do
+      ahead <- beyond (rightTree state) (leftTree state) LeftTurn p
+      case ahead of
+        Nothing -> pure Nothing
+        Just right -> do
+          behind <- beyond (leftTree state) (rightTree state) RightTurn p
+          pure (behind >>= \left -> vertexOn (reverse left <> (p : right)))
   where
-    vertexOn = fromCorners . map CornerId . IntSet.toAscList
+    vertexOn = fromCorners . map CornerId
+    -- All corners beyond c on the line, in a tree whose opposite is the other one; nothing where a pair of less slope is
+    -- next, or one that is not mutual. The turn is that to pairs of greater slope.
+    beyond tree back greater c = do
+      l <- getList tree (target c)
+      let !d = listOwner l
+      if not (isCornerList l)
+        then pure (Just [])
+        else case turn (scenePoints scene) p q d of
+          Collinear -> do
+            r <- getList back (target d)
+            if r == cornerList c then fmap (d :) <$> beyond tree back greater d else pure Nothing
+          side -> pure (if side == greater then Just [] else Nothing)
+    -- The same where a free end of a wall may lead along both faces.
     collected [] line = pure (Just line)
     collected (c : rest) line = do
       ahead <- nextOnLine (rightTree state) (leftTree state) LeftTurn c
@@ -185,8 +214,6 @@ readyLine state@Running {sweptScene = scene} !p !q = (>>= vertexOn) <$> collecte
         Nothing -> pure Nothing
         Just onwards ->
           let new = filter (`IntSet.notMember` line) onwards in collected (new <> rest) (foldr IntSet.insert line new)
-    -- The corners next to c on the line, in a tree whose opposite is the other one; nothing where a pair of less slope
-    -- is next, or one that is not mutual. The turn is that to pairs of greater slope.
     nextOnLine tree back greater c = do
       l <- getList tree (target c)
       let d = listOwner l
@@ -204,6 +231,7 @@ readyLine state@Running {sweptScene = scene} !p !q = (>>= vertexOn) <$> collecte
           pure (r == cornerList c' || isSplit e && c' `elem` besides e && r `elem` map cornerList (take 1 (besides e)))
     isSplit = isSplitEnd scene . CornerId
     besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
+{-# NOINLINE readyLine #-}
 
 -- | Sweeps a vertex of two corners.
 sweepPair :: Running s -> Progress -> Int -> Int -> ST s Progress
@@ -230,6 +258,8 @@ sweepVertex state !now vertex = do
     end = number (vertexLast vertex)
     pairs = vertexPairs (sweptScene state) vertex
     number (CornerId c) = c
+
+{-# NOINLINE sweepVertex #-}
 
 -- | Puts a corner on the stack of so many, if it is not there; how many there are then.
 push :: Running s -> Int -> Int -> ST s Int
