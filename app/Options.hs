@@ -161,8 +161,8 @@ commands =
         ByPolygons
         ( long "polygons"
             <> help
-              "Take each polygon as one object, instead of its sides. Vertices and edges are printed where all polygons \
-              \are convex or thin walls and none touches another, under the sky; else faces only."
+              "Take each polygon as one object, instead of its sides. Vertices and edges are printed where all \
+              \polygons are convex or thin walls and none touches another, under the sky; else faces only."
         )
     infoHelp =
       progDesc "Count what the scene and its visibility complex consist of."

@@ -343,8 +343,8 @@ components complex pairs = go (Set.fromList (faceIds complex))
       | otherwise = reach (Set.insert f seen) (Map.findWithDefault [] f beside <> rest)
     beside = Map.fromListWith (<>) (concat [[(f, [g]), (g, [f])] | (f, g) <- pairs])
 
--- | Two faces are one if a stretch is in the upper chain of one and in the lower chain of the other, and they end at the
--- same polygons as they are met there.
+-- | Two faces are one if a stretch is in the upper chain of one and in the lower chain of the other, and they end at
+-- the same polygons as they are met there.
 componentsByChains :: Complex -> [Set.Set FaceId]
 componentsByChains complex =
   components complex [(f, g) | (key, fs) <- Map.toList below, f <- fs, g <- Map.findWithDefault [] key above]
@@ -366,7 +366,8 @@ componentsByChains complex =
       ]
     owner = polygonLabel scene
 
--- | Two faces are one if they lie on opposite flanks of a stretch, and end at the same polygons by what its corner sees.
+-- | Two faces are one if they lie on opposite flanks of a stretch, and end at the same polygons by what the corner
+-- sees.
 componentsByViews :: Complex -> [Set.Set FaceId]
 componentsByViews complex =
   components complex [(f, g) | e <- stretchIds complex, (f, a) <- seen e Above, (g, b) <- seen e Below, a == b]

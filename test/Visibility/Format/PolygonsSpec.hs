@@ -107,8 +107,8 @@ documentRead = withObject "document" $ \o ->
       lower <- o .:? "lower"
       FaceRead <$> o .: "parts" <*> ((,) <$> o .:? "first" <*> o .:? "last") <*> pure ((,) <$> upper <*> lower)
 
--- | Does a chain begin at the first vertex of its face, go on from edge to edge, and end at the last vertex? A closed one
--- comes back to where it began.
+-- | Does a chain begin at the first vertex of its face, go on from edge to edge, and end at the last vertex? A closed
+-- one comes back to where it began.
 leads :: [EdgeRead] -> (Maybe Int, Maybe Int) -> [Int] -> Bool
 leads edges (first, end) chain = map (fst . edgeEnds) along <> [end'] == [first'] <> map (snd . edgeEnds) along
   where
@@ -116,8 +116,8 @@ leads edges (first, end) chain = map (fst . edgeEnds) along <> [end'] == [first'
     closing = foldr (const . fst . edgeEnds) Nothing along
     (first', end') = if isNothing first then (closing, closing) else (first, end)
 
--- | The edges that bound a face, by number, with the face and whether it lies above the edge where the edge begins. A
--- chain is read backwards wherever the edges before it have gone on over the end of the half turn an odd number of times.
+-- | The edges that bound a face, by number, with the face and whether it lies above the edge where the edge begins. An
+-- edge is read backwards if those before it have gone on over the end of the half turn an odd number of times.
 bounding :: [EdgeRead] -> Int -> FaceRead -> [(Int, Int, Bool)]
 bounding edges f face = concat [along False upper <> along True lower | Just (upper, lower) <- [faceChains face]]
   where

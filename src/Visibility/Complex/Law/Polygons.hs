@@ -54,8 +54,8 @@ polygonLaws =
   , onOutlines
       "quotient: chains"
       "Every bounded face has one first and one last vertex, and two chains of edges from one to the other; the chains \
-      \of the lines that miss everything, or meet one polygon that is alone, are closed. An edge is in the chains of its \
-      \three faces, once each, and in no others."
+      \of the lines that miss everything, or meet one polygon that is alone, are closed. An edge is in the chains of \
+      \its three faces, once each, and in no others."
       chainsLink
   , onOutlines
       "quotient: numbers"
@@ -102,6 +102,10 @@ numberedLines = zip (map LineId [0 ..]) . V.toList . tangentLines
 arcOf :: Outlines -> ArcId -> Arc
 arcOf found (ArcId a) = arcs found V.! a
 
+-- | What edges are counted for, by what they have in common.
+arcsBy :: Ord k => (Arc -> Maybe k) -> (Arc -> [a]) -> Outlines -> Map.Map k [a]
+arcsBy key counted found = Map.fromListWith (flip (<>)) [(k, counted a) | a <- V.toList (arcs found), Just k <- [key a]]
+
 -- | How many things have a line as their end of one kind.
 tally :: (a -> Maybe LineId) -> V.Vector a -> LineId -> Int
 tally end things = \i -> Map.findWithDefault 0 i times
@@ -133,10 +137,8 @@ memberLabels made =
 vertexEdges' :: Check
 vertexEdges' made found = concatMap check (numberedLines found)
   where
-    begun = at arcFirst arcFlank
-    ended = at arcLast (endFlank made)
-    at end flank =
-      Map.fromListWith (flip (<>)) [(i, [(arcPolygon a, flank a)]) | a <- V.toList (arcs found), Just i <- [end a]]
+    begun = arcsBy arcFirst (\a -> [(arcPolygon a, arcFlank a)]) found
+    ended = arcsBy arcLast (\a -> [(arcPolygon a, endFlank made a)]) found
     check (i, line) =
       orElse (lineText made line <> ": " <> show touched) $
         length (nub (map fst touched)) >= 2
@@ -160,13 +162,8 @@ generalVertex made found =
   , length faces /= 6
   ]
   where
-    around =
-      Map.fromListWith (<>) $
-        [(i, arcFaces a) | a <- V.toList (arcs found), Just i <- [arcFirst a]]
-          <> [ (i, map (later (arcTurns (sideComplex made) a)) (arcFaces a))
-             | a <- V.toList (arcs found)
-             , Just i <- [arcLast a]
-             ]
+    around = Map.unionWith (<>) (arcsBy arcFirst arcFaces found) (arcsBy arcLast facesAfter found)
+    facesAfter a = map (later (arcTurns (sideComplex made) a)) (arcFaces a)
     -- The lines that miss everything come again after a full turn.
     once aspect@(Aspect r@(RegionId k) turns)
       | isNothing (firstLine (boundaries found V.! k)) = Aspect r (turns `mod` 2)
@@ -218,7 +215,7 @@ curves made found =
     , let p = polygonId polygon
     ]
   where
-    byPolygon = Map.fromListWith (<>) [(arcPolygon a, [a]) | a <- V.toList (arcs found)]
+    byPolygon = arcsBy (Just . arcPolygon) pure found
     start a = (arcFirst a, arcFlank a)
     end a = (arcLast a, endFlank made a)
     isCurve own =

@@ -9,7 +9,6 @@ module Visibility.Complex.Law.Table
   , sweptVertices
   ) where
 
-import Data.Int (Int32)
 import Data.List (groupBy, sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
@@ -31,26 +30,7 @@ wellFormed =
     \are cut out of a table follow each other."
     check
   where
-    check complex =
-      concat
-        [ lengths
-        , bounded "vertexStarts" vertexStarts 0 e
-        , bounded "stretchCorners" stretchCorners 0 (n - 1)
-        , bounded "stretchVertices" stretchVertices 0 (v - 1)
-        , bounded "stretchesBefore" stretchesBefore 0 (e - 1)
-        , bounded "stretchesAfter" stretchesAfter 0 (e - 1)
-        , bounded "stretchBacks" stretchBacks (-1) sky
-        , bounded "stretchFronts" stretchFronts (-1) sky
-        , bounded "stretchFlanks" stretchFlanks 0 1
-        , bounded "stretchFaces" stretchFaces (-1) (f - 1)
-        , bounded "lastStretches" lastStretches 0 (e - 1)
-        , bounded "faceFirsts" faceFirsts (-1) (v - 1)
-        , bounded "faceLasts" faceLasts (-1) (v - 1)
-        , bounded "faceBacks" faceBacks 0 sky
-        , bounded "faceFronts" faceFronts 0 sky
-        , bounded "chains" chains 0 (e - 1)
-        , if null lengths then rows else []
-        ]
+    check complex = if null lengths then numbers <> rows else lengths <> numbers
       where
         n = cornerCount (complexScene complex)
         v = vertexTotal complex
@@ -59,32 +39,39 @@ wellFormed =
         sky = case surroundings (complexScene complex) of
           OpenSky -> skyCode (complexScene complex)
           Room -> skyCode (complexScene complex) - 1
+        -- Each table with the entries that it should have, and the least and the greatest number that may stand there.
+        tables =
+          [ ("vertexStarts", vertexStarts, max 1 (v + 1), 0, e)
+          , ("stretchCorners", stretchCorners, e, 0, n - 1)
+          , ("stretchVertices", stretchVertices, e, 0, v - 1)
+          , ("stretchesBefore", stretchesBefore, e, 0, e - 1)
+          , ("stretchesAfter", stretchesAfter, e, 0, e - 1)
+          , ("stretchBacks", stretchBacks, e, -1, sky)
+          , ("stretchFronts", stretchFronts, e, -1, sky)
+          , ("stretchFlanks", stretchFlanks, e, 0, 1)
+          , ("stretchFaces", stretchFaces, 4 * e, -1, f - 1)
+          , ("lastStretches", lastStretches, n, 0, e - 1)
+          , ("faceFirsts", faceFirsts, f, -1, v - 1)
+          , ("faceLasts", faceLasts, f, -1, v - 1)
+          , ("faceBacks", faceBacks, f, 0, sky)
+          , ("faceFronts", faceFronts, f, 0, sky)
+          , ("upperStarts", upperStarts, f + 1, 0, chained)
+          , ("lowerStarts", lowerStarts, f, 0, chained)
+          , ("upperTurns", upperTurns, f, 0, chained)
+          , ("lowerTurns", lowerTurns, f, 0, chained)
+          , ("chains", chains, chained, 0, e - 1)
+          ]
+        chained = U.length (chains complex)
         lengths =
           [ name <> " has " <> show found <> " entries, not " <> show expected
-          | (name, found, expected) <-
-              [ ("vertexStarts", U.length (vertexStarts complex), max 1 (v + 1))
-              , ("stretchVertices", U.length (stretchVertices complex), e)
-              , ("stretchesBefore", U.length (stretchesBefore complex), e)
-              , ("stretchesAfter", U.length (stretchesAfter complex), e)
-              , ("stretchBacks", U.length (stretchBacks complex), e)
-              , ("stretchFronts", U.length (stretchFronts complex), e)
-              , ("stretchFlanks", U.length (stretchFlanks complex), e)
-              , ("stretchFaces", U.length (stretchFaces complex), 4 * e)
-              , ("lastStretches", U.length (lastStretches complex), n)
-              , ("faceLasts", U.length (faceLasts complex), f)
-              , ("faceBacks", U.length (faceBacks complex), f)
-              , ("faceFronts", U.length (faceFronts complex), f)
-              , ("upperStarts", U.length (upperStarts complex), f + 1)
-              , ("lowerStarts", U.length (lowerStarts complex), f)
-              , ("upperTurns", U.length (upperTurns complex), f)
-              , ("lowerTurns", U.length (lowerTurns complex), f)
-              ]
+          | (name, table, expected, _, _) <- tables
+          , let found = U.length (table complex)
           , found /= expected
           ]
-        bounded :: String -> (Complex -> U.Vector Int32) -> Int -> Int -> [String]
-        bounded name table low high =
+        numbers =
           [ name <> " has " <> show x <> " at " <> show i <> ", not one of " <> show low <> " to " <> show high
-          | (i, x) <- zip [0 :: Int ..] (map fromIntegral (U.toList (table complex)))
+          | (name, table, _, low, high) <- tables
+          , (i, x) <- zip [0 :: Int ..] (map fromIntegral (U.toList (table complex)))
           , x < low || x > high
           ]
         rows =
