@@ -13,6 +13,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
+import Visibility.Scene.Boundary (Boundary (..))
 import Visibility.Scene.Id
 import Visibility.Scene.Outline (ownersFrom)
 import Visibility.Scene.Raw (Form (..))
@@ -44,34 +45,26 @@ withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) 
     -- Corners in one place stay in their order, those of one face of a wall before those of the other.
     sorted = U.modify (Intro.sortBy (\a b -> compareSpots walks a b <> compare a b)) (U.enumFromN 0 total)
     ranks = U.update_ (U.replicate total 0) sorted (U.enumFromN 0 total) :: U.Vector Int32
-    points = pointsOn (sceneArithmetic scene) (placesFrom [spots walks V.! c | c <- U.toList sorted])
-    neighbours = neighboursAlong (U.map (\c -> ranks U.! (follower walks U.! c)) sorted)
     elements = elementStarts scene walks
     (stated, names) = statedAnew scene walks elements
-    faced = U.map (byStart U.!) sorted
     byStart = U.update_ (U.replicate total 0) elements (U.enumFromN 0 (U.length elements))
-    statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
-    places = U.map (\c -> statedNumbers U.! fromIntegral (names U.! c)) sorted
+    boundary =
+      Boundary
+        { statedNumbers = denseRanks (comparePlacesAt (statedPlaces stated)) (placeCount (statedPlaces stated))
+        , freePlaces = U.map (names U.!) sorted
+        , freeNames = U.map (names U.!) sorted
+        , freeSides = U.map (byStart U.!) sorted
+        , freeNexts = U.map (\c -> ranks U.! (follower walks U.! c)) sorted
+        }
     newOn side = [spots walks V.! c | c <- map (elements U.!) (bucketOf bySide side), c >= oldTotal walks]
     bySide =
       bucketsBy
         (statedSideTotal (sceneStated scene))
         (U.map (\c -> facedSides scene U.! (piece walks U.! c)) elements)
+    polygons = zipWith (restated scene newOn) [0 ..] (scenePolygons scene)
     cut =
-      scene
-        { scenePoints = points
-        , neighbourTable = neighbours
-        , placeNumbers = places
-        , hasSharedPlaces = hasSharedPlaces scene || U.or (U.zipWith (==) places (U.drop 1 places))
-        , splitEnds = splitEndsOf points neighbours
-        , sceneStated = stated
-        , statedPlaceNumbers = statedNumbers
-        , namingCorners = U.map (names U.!) sorted
-        , facedSides = faced
-        , statedByPlace = bucketsOf statedNumbers
-        , piecesBySide = bucketsBy (statedSideTotal stated) faced
-        , scenePolygons = zipWith (restated scene newOn) [0 ..] (scenePolygons scene)
-        }
+      underArithmetic (sceneArithmetic scene) $
+        sceneOn (sceneTitle scene) (sceneLattice scene) (sceneContacts scene) polygons stated boundary
 
 -- | A polygon, by number, stated with its new corners, which are given by the sides of the file, in the order of each.
 restated :: Scene -> (Int -> [LatticePoint]) -> Int -> Polygon -> Polygon

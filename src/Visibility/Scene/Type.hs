@@ -7,9 +7,7 @@ module Visibility.Scene.Type
     Scene (..)
   , Surroundings (..)
   , assemble
-  , neighboursAlong
-  , splitEndsOf
-  , bucketsOf
+  , sceneOn
   , underArithmetic
     -- * Polygons
   , Polygon (..)
@@ -128,10 +126,26 @@ data Polygon = Polygon
 --
 -- /Requires/ what "Visibility.Scene.Validate" checks. The number is that of the places of contact. /Cost/ O(n log n).
 assemble :: Maybe Text -> Int -> [Shape] -> Outline -> Boundary -> Scene
-assemble title touching shapes o boundary =
+assemble title touching shapes o = sceneOn (shown <$> title) lattice touching polygons stated
+  where
+    polygons = polygonsFrom stated lattice forms names
+    stated = statedFrom shapes o
+    -- What is made later holds no more of the outline than it needs, and nothing of the file.
+    !lattice = outlineLattice o
+    !forms = outlineForms o
+    !names = foldr (\(_, polygon) rest -> let !name = nameOf polygon; !others = rest in name : others) [] shapes
+    nameOf polygon = case rawPolygonName polygon of
+      Nothing -> Nothing
+      Just name -> Just $! shown name
+    shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
+
+-- | A scene with all that follows from what is stated and from the boundary of free space. Given are besides its title,
+-- its lattice, the number of the places of contact, and its polygons. /Cost/ O(n log n).
+sceneOn :: Maybe Text -> Lattice -> Int -> [Polygon] -> Stated -> Boundary -> Scene
+sceneOn title lattice touching polygons stated boundary =
   Scene
-    { sceneTitle = shown <$> title
-    , surroundings = if any ((== Enclosure) . fst) shapes then Room else OpenSky
+    { sceneTitle = title
+    , surroundings = if Enclosure `V.elem` statedIds stated then Room else OpenSky
     , sceneLattice = lattice
     , sceneArithmetic = Filtered
     , scenePoints = points
@@ -143,26 +157,18 @@ assemble title touching shapes o boundary =
     , statedPlaceNumbers = numbers
     , namingCorners = freeNames boundary
     , facedSides = faced
-    , statedByPlace = bucketsOf numbers
+    , statedByPlace = bucketsBy (if U.null numbers then 0 else 1 + fromIntegral (U.maximum numbers)) numbers
     , piecesBySide = bucketsBy (statedSideTotal stated) faced
     , sceneContacts = touching
-    , scenePolygons = polygonsFrom stated lattice forms names
+    , scenePolygons = polygons
     }
   where
-    stated = statedFrom shapes o
     points = pointsOn Filtered (rearranged (freePlaces boundary) (statedPlaces stated))
     neighbours = neighboursAlong (freeNexts boundary)
     places = U.map (\i -> numbers U.! fromIntegral i) (freePlaces boundary)
-    -- What is made later holds no more of the outline and of the boundary than it needs, and nothing of the file.
-    !lattice = outlineLattice o
+    -- What is made later holds no more of the boundary than it needs.
     !numbers = statedNumbers boundary
     !faced = freeSides boundary
-    !forms = outlineForms o
-    !names = foldr (\(_, polygon) rest -> let !name = nameOf polygon; !others = rest in name : others) [] shapes
-    nameOf polygon = case rawPolygonName polygon of
-      Nothing -> Nothing
-      Just name -> Just $! shown name
-    shown = Text.map (\c -> if isControl c then '\xFFFD' else c)
 
 -- Polygons with these forms and names.
 polygonsFrom :: Stated -> Lattice -> V.Vector Form -> [Maybe Text] -> [Polygon]
@@ -190,10 +196,6 @@ splitEndsOf points neighbours = if U.or split then split else U.empty
       where
         after = fromIntegral (neighbours U.! (2 * i))
         before = fromIntegral (neighbours U.! (2 * i + 1))
-
--- | Stated corners by the numbers of their places.
-bucketsOf :: U.Vector Int32 -> Buckets
-bucketsOf numbers = bucketsBy (if U.null numbers then 0 else 1 + fromIntegral (U.maximum numbers)) numbers
 
 -- | The same scene, its signs decided in another way.
 underArithmetic :: Arithmetic -> Scene -> Scene
