@@ -37,7 +37,6 @@ module Visibility
     -- * Walking in it
   , Viewpoint (..)
   , Look (..)
-  , locator
   , lookAround
   , Sight (..)
   , Region (..)
@@ -76,7 +75,7 @@ module Visibility
 
 import Visibility.Complex (Complex, complexOf)
 import Visibility.Complex.Law (violations)
-import Visibility.Complex.Walk (Look (..), locator, lookAround)
+import Visibility.Complex.Walk (Look (..), lookAround)
 import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Mesh (CastingLines (..), meshDrawing)
 import Visibility.Draw.Render (renderSvg)

@@ -20,8 +20,8 @@ import System.CPUTime (getCPUTime)
 import System.Environment (getArgs)
 import System.Exit (die)
 import System.Mem (performGC)
-import Visibility.Complex (complexOf, complexScene, faceIds)
-import Visibility.Complex.Walk (Locator, Look (..), locator, locatorComplex, lookAround)
+import Visibility.Complex (Complex, complexOf, complexScene, faceIds)
+import Visibility.Complex.Walk (Look (..), lookAround)
 import Visibility.Exact.Point (Point (..))
 import Visibility.FormFactor (measureList, measures)
 import Visibility.Scene (Scene, cornerCount, cornerPoint, corners)
@@ -64,12 +64,12 @@ main = do
   putStrLn (row ["view", "corners", "faces/view", "us/view", "us/face", "scan us", "scan/walk"])
   forM_ (ladder Random) $ \count -> do
     let scene = sceneOf Random count
-        index = locator (complexOf scene)
-        places = lookouts index
+        complex = complexOf scene
+        places = lookouts complex
         perView total = total / fromIntegral (length places) :: Double
-        faces = sum [lookSteps look | Right look <- map (lookAround index) places]
+        faces = sum [lookSteps look | Right look <- map (lookAround complex) places]
         looks found = sum [length (lookSights look) | Right look <- map (lookAround found) places]
-    walking <- sum <$> bestTimes [index] looks
+    walking <- sum <$> bestTimes [complex] looks
     scanning <- scanned scene (perView walking)
     putStrLn . row $
       [ "random"
@@ -97,10 +97,10 @@ ladder kind = map (sizeOfCorners kind) (takeWhile (<= top) (iterate (* 2) 128))
       _ -> 16384
 
 -- | Places in and around a scene, in free space or on a boundary, none of them special.
-lookouts :: Locator -> [Viewpoint]
-lookouts index = take 40 [place | place <- candidates, Right _ <- [lookAround index place]]
+lookouts :: Complex -> [Viewpoint]
+lookouts complex = take 40 [place | place <- candidates, Right _ <- [lookAround complex place]]
   where
-    scene = complexScene (locatorComplex index)
+    scene = complexScene complex
     points = map (cornerPoint scene) (corners scene)
     candidates =
       [ AtPoint (Point ((ax + 2 * bx) / 3 + 1 / 1000) ((ay + 2 * by) / 3 + 1 / 999))
@@ -110,7 +110,7 @@ lookouts index = take 40 [place | place <- candidates, Right _ <- [lookAround in
 -- | The time of the test's oracle for a view, from one of the places, and its ratio to that of a walk. It shoots a ray
 -- between every two directions to corners at all sides, so it is asked in small scenes only.
 scanned :: Scene -> Double -> IO [String]
-scanned scene walking = case take 1 (lookouts (locator (complexOf scene))) of
+scanned scene walking = case take 1 (lookouts (complexOf scene)) of
   [AtPoint place] | cornerCount scene <= 512 -> do
     begun <- getCPUTime
     _ <- evaluate (length (show (scan scene place)))

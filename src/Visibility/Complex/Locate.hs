@@ -1,11 +1,7 @@
 -- | Where a point lies in the scene, and where the curve of a free point begins in the complex.
 module Visibility.Complex.Locate
-  ( -- * The index
-    Locator
-  , locator
-  , locatorComplex
-    -- * Points
-  , Eye
+  ( -- * Points
+    Eye
   , eyeRank
   , eyeFrom
   , directionFrom
@@ -15,53 +11,15 @@ module Visibility.Complex.Locate
   , locate
   ) where
 
-import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', scanl')
-import Data.Maybe (mapMaybe)
-import Data.Set (Set)
-import qualified Data.Set as Set
-import qualified Data.Vector as V
-import Visibility.Complex.Slabs
+import Data.List (minimumBy)
+import Data.Ord (comparing)
 import Visibility.Complex.Type
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Scene.Raw (Form (..))
-import Visibility.Sweep.Vertical
-
--- | A complex with what it takes to find a point in it.
---
--- At the start of the half turn lines are vertical, all but, and lie in the order of the corners from left to right. So
--- between two consecutive corners the same sides are met, and the same faces, one for each piece of a vertical.
-data Locator = Locator
-  { locatorComplex :: !Complex
-  , crossings :: !(V.Vector (Set Crossing))
-  , facesByBack :: !(V.Vector (IntMap.IntMap FaceId))
-  -- ^ For the verticals between the corners k − 1 and k, read downwards: the faces by the object at their back, which
-  -- is the back of one piece of a line only.
-  }
-
--- | /Cost/ O(n log n) time and memory for n corners.
-locator :: Complex -> Locator
-locator complex = Locator complex (slabs scene) (V.fromListN (n + 1) (reverse fromTheRight))
-  where
-    scene = complexScene complex
-    n = cornerCount scene
-    sky = skyCode scene
-    outside = IntMap.fromList [(sky, face) | Just face <- [outerFace complex]]
-    fromTheRight = scanl' passed outside (map CornerId [n - 1, n - 2 .. 0])
-    -- A last stretch is read here from the end of the half turn on, backwards: what is above its curve where it begins
-    -- is then below, and the front is then the back.
-    passed found c = foldl' enter (foldl' leave found (around BelowBack BelowFront)) (around AboveBack AboveFront)
-      where
-        e = lastEdgeOf complex c
-        around a b = mapMaybe (faceAt complex e) [a, b]
-    leave found f = IntMap.delete (backOf f) found
-    enter found f = IntMap.insert (backOf f) f found
-    backOf f = case faceFront complex f of
-      Side (SideId s) -> s
-      Sky -> sky
+import Visibility.View (Flank (..))
 
 -- | A point on the lattice, in homogeneous integers of its own, and the number of corners before it in lexicographic
 -- order.
@@ -129,32 +87,54 @@ data Place
 -- /Degenerate cases/ verticals lean a little to the right, so one through corners lies between two of them, too. A
 -- point on a side is the end of two pieces of its vertical, of which those are counted that are not in the solid.
 --
--- /Cost/ O(log n) for n corners, O(n) in the solid.
-locate :: Locator -> Point -> (Eye, Place)
-locate found point = (eye, if null here then elsewhere else OnCorners here)
+-- /Cost/ O(n) comparisons of numbers for n corners, and a turn for each side that the vertical of the point meets.
+locate :: Complex -> Point -> (Eye, Place)
+locate complex point = (eye, if null here then elsewhere else OnCorners here)
   where
     (eye, here) = eyeAt scene point
-    scene = complexScene (locatorComplex found)
+    scene = complexScene complex
     rank = eyeRank eye
-    (_, from) = Set.spanAntitone (\side -> seenFrom side == LeftTurn) (crossings found V.! rank)
-    (on, above) = Set.spanAntitone (\side -> seenFrom side == Collinear) from
-    seenFrom (Crossing a b) = directionTurn (direction (scenePoints scene) a b) (eyeFrom scene eye (CornerId a))
-    ceiling' = maybe (beyondAll scene) (freeBelow scene) (Set.lookupMin above)
-    -- The two faces of a wall may be two crossings here, if they join different corners.
-    elsewhere = case Set.toAscList on of
-      [] | ceiling' == solid -> InSolid (solidAt scene point)
-         | otherwise -> InFree (startAt ceiling')
-      found' ->
+    -- The sides that the vertical meets, with the flank of each, from left to right, on which the point lies.
+    met = [(s, seenFrom a b) | s <- sides scene, let (a, b) = endsOf s, a < rank, rank <= b]
+    seenFrom a b = directionTurn (direction (scenePoints scene) a b) (eyeFrom scene eye (CornerId a))
+    endsOf s = (min a b, max a b)
+      where
+        CornerId a = sideStart s
+        CornerId b = sideEnd scene s
+    on = [s | (s, Collinear) <- met]
+    -- A side keeps its solid on the left.
+    isFreeBelow s = sideStart s < sideEnd scene s
+    elsewhere = case (on, [s | (s, RightTurn) <- met]) of
+      ([], []) | surroundings scene == Room -> solid'
+               | otherwise -> InFree (startBelow Sky)
+      ([], above) | isFreeBelow (lowest above) -> InFree (startBelow (Side (lowest above)))
+                  | otherwise -> solid'
+      (_, above) ->
         OnSides
-          ( [(SideId s, startAt ceiling') | s <- map (freeAbove scene) found', s /= solid]
-              <> [(SideId s, startAt s) | s <- map (freeBelow scene) found', s /= solid]
+          ( [(s, startBelow (if null above then Sky else Side (lowest above))) | s <- on, not (isFreeBelow s)]
+              <> [(s, startBelow (Side s)) | s <- on, isFreeBelow s]
           )
-    startAt back
+    solid' = InSolid (solidAt scene point)
+    lowest = minimumBy upwards'
+    -- The order along the vertical. Of a wall's two faces, that which has free space below it comes first.
+    upwards' s t
+      | c < a = compare EQ (upwards' t s)
+      | otherwise = case filter (/= Collinear) (map (turn (scenePoints scene) a b) [c, d]) of
+          LeftTurn : _ -> LT
+          RightTurn : _ -> GT
+          _ -> comparing (not . isFreeBelow) s t
+      where
+        (a, b) = endsOf s
+        (c, d) = endsOf t
+    -- In the face under an object: that of the nearest corner to the right which has a face under it on its left, read
+    -- at the end of the half turn.
+    startBelow back
       | isOpen && rank == 0 = LeftOfAll
       | isOpen && rank == cornerCount scene = RightOfAll
-      | otherwise = case IntMap.lookup back (facesByBack found V.! rank) of
-          Just face -> InFace face
-          Nothing -> broken "every free piece of a vertical is in a face" (show (rank, back))
+      | otherwise = case filter ((== back) . faceFront complex) (concatMap onTheLeft (drop rank (corners scene))) of
+          face : _ -> InFace face
+          [] -> broken "every free piece of a vertical is in a face" (show (rank, back))
+    onTheLeft c = edgeFacesOn complex (lastEdgeOf complex c) Above
     isOpen = surroundings scene == OpenSky
 
 -- | The first obstacle that holds a point of the solid, with its boundary; the enclosure if none does.

@@ -6,10 +6,6 @@ module Visibility.Complex.Walk
   ( -- * Looking around
     Look (..)
   , lookAround
-    -- * The index
-  , Locator
-  , locator
-  , locatorComplex
   ) where
 
 import Data.Function (on)
@@ -41,18 +37,17 @@ data Look = Look
 -- /Degenerate cases/ a point on a side sees half a turn, one on a thin wall sees both ways; a point at a corner sees
 -- what the corner sees. Where a point is in line with corners, the rays along that line are the border of two sights.
 --
--- /Cost/ of a point, O(log n) for each face visited; of a corner O(1) for each of its stretches; both without what it
--- takes to join the sights.
-lookAround :: Locator -> Viewpoint -> Either PolygonId Look
-lookAround found viewpoint = case viewpoint of
+-- /Cost/ of a point, that of 'locate' and O(log n) for each face visited; of a corner O(1) for each of its stretches;
+-- both without what it takes to join the sights.
+lookAround :: Complex -> Viewpoint -> Either PolygonId Look
+lookAround complex viewpoint = case viewpoint of
   AtCorner name _ -> Right (fromCorners complex (fromMaybe [] (cornersNamed scene name)))
-  AtPoint point -> case locate found point of
+  AtPoint point -> case locate complex point of
     (_, OnCorners cs) -> Right (fromCorners complex cs)
     (_, InSolid polygon) -> Left polygon
     (eye, InFree start) -> Right (lookOf [turning (walk complex eye Nothing start)])
     (eye, OnSides pieces) -> Right (lookOf [pieceOf s (walk complex eye (Just s) start) | (s, start) <- pieces])
   where
-    complex = locatorComplex found
     turning steps = (map ahead steps <> map behind steps, length steps)
     ahead (Step from to _ object) = Sight from to object
     behind (Step from to object _) = Sight (reversed from) (reversed to) object

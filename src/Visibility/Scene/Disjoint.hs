@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Whether the boundaries of polygons meet at all, and whether one lies where it may not, decided by a sweep. For
 -- valid scenes without contacts it is the whole check of how polygons lie to each other, and unlike a comparison of
 -- boxes its cost does not depend on how the sides lie; it does not say what meets.
@@ -8,18 +6,16 @@ module Visibility.Scene.Disjoint
   , boundaries
   ) where
 
-import Control.Monad (unless)
+import Control.Monad (when)
 import Control.Monad.ST (ST, runST)
-import Data.Int (Int32)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Exact.Predicate
 import Visibility.Scene.Contact
 import Visibility.Scene.Id
 import Visibility.Scene.Outline
 import Visibility.Scene.Raw (Form (..))
-import Visibility.Scene.Status
+import Visibility.Scene.Scan
 
 -- | How the polygons of an outline lie to each other.
 data Boundaries
@@ -33,8 +29,7 @@ data Boundaries
 
 -- Note [The sweep]
 -- ~~~~~~~~~~~~~~~~
--- Corners are visited in lexicographic order; the status holds the segments with one end visited, ordered upwards
--- (along a line turned from the vertical by as little as you like, so a vertical segment starts at its lower end).
+-- It is the scan of "Visibility.Scene.Scan": the status holds the segments with one end visited, ordered upwards.
 -- Segments that become neighbours in the status are compared. Let p be the least point, in the order of corners, in
 -- which segments meet that do not share a corner there; no two corners are in one place, which is checked at the start.
 -- Until p the status is in order. If two of the segments through p are in the status just before p, then all that are
@@ -76,97 +71,46 @@ boundaries o
 
 sweep :: Outline -> ST s Boundaries
 sweep o = do
-  status <- newStatus n
-  -- Of slot s, the corner where its segment starts at 2s, and that where it ends at 2s + 1.
-  ends <- M.new (2 * n)
-  -- The slots of segments that end at corner c, at 2c and 2c + 1.
-  arrivals <- M.replicate (2 * n) (fromIntegral noSlot)
   -- By slot, see Note [What lies where].
   freeAbove <- M.new n
   begun <- M.replicate (V.length (outlineIds o)) False
   let
-    -- The slots from a number on are not in use yet.
-    visit !k !unused !found
-      | k >= n = pure found
-      | otherwise = do
-          let c = fromIntegral (outlineOrder o U.! k)
-              (d, e) = joinedTo o c
-              isLater q = q /= noCorner && numberOf o q > k
-          s <- get arrivals (2 * c)
-          t <- get arrivals (2 * c + 1)
-          case (isLater d, isLater e) of
-            (True, True) -> starting k unused found c d e
-            (True, False) -> if s == noSlot then starting k unused found c d noCorner else passing k unused found s c d
-            (False, True) -> if s == noSlot then starting k unused found c e noCorner else passing k unused found s c e
-            (False, False) -> do
-              first <- remove status s
-              (low, high) <- if t == noSlot then pure first else remove status t
-              fine <- apart low high
-              visitIf fine k unused found
-
-    visitIf fine k unused found = if fine then visit (k + 1) unused found else pure Meet
-
-    passing k unused found s c d = do
-      occupy s c d
-      low <- below status s
-      high <- above status s
-      fine <- (&&) <$> apart low s <*> apart s high
-      visitIf fine k unused found
-
-    starting k unused found c d e = do
-      (low, high) <- lookupGap status (isUnder c)
-      isFree <- if low == noSlot then pure isFreeBeyond else M.read freeAbove low
-      let p = ownerOf o c
-          alone = e == noCorner
-          isUpsideDown = not alone && turn points c d e == RightTurn
-          lower = unused
-          upper = if alone then unused else unused + 1
-      insertBetween status low high lower
-      occupy lower c (if isUpsideDown then e else d)
-      M.write freeAbove lower $ case outlineForms o V.! p of
-        Ring -> not isFree
-        Polyline -> isFree
-      unless alone $ do
-        insertBetween status lower high upper
-        occupy upper c (if isUpsideDown then d else e)
+    told scan found (Place k _ low high change) onward = case change of
+      Ended -> apart low high >>= onwardIf found
+      TakenOver s -> (&&) <$> apart low s <*> apart s high >>= onwardIf found
+      Begun lower count -> do
+        isFree <- if low == noSlot then pure isFreeBeyond else M.read freeAbove low
+        let p = ownerOf o (cornerScanned plane k)
+            upper = lower + count - 1
         M.write freeAbove upper isFree
-      hasBegun <- M.read begun p
-      M.write begun p True
-      fine <- (&&) <$> apart low lower <*> apart upper high
-      visitIf fine k (upper + 1) $
-        if not hasBegun && isFree == (outlineIds o V.! p == Enclosure) then Misplaced else found
-
-    -- Lets a slot hold a segment.
-    occupy s c d = do
-      put ends (2 * s) c
-      put ends (2 * s + 1) d
-      first <- get arrivals (2 * d)
-      put arrivals (if first == noSlot then 2 * d else 2 * d + 1) s
-
-    isUnder c s = do
-      a <- get ends (2 * s)
-      b <- get ends (2 * s + 1)
-      pure (turn points a b c == LeftTurn)
-
-    apart s t
-      | s == noSlot || t == noSlot = pure True
-      | otherwise = do
-          a <- get ends (2 * s)
-          b <- get ends (2 * s + 1)
-          c <- get ends (2 * t)
-          d <- get ends (2 * t + 1)
-          pure (a == c || a == d || b == c || b == d || meeting r (Segment a b) (Segment c d) == Apart)
-  visit 0 0 Disjoint
+        when (upper > lower) $
+          M.write freeAbove lower $ case outlineForms o V.! p of
+            Ring -> not isFree
+            Polyline -> isFree
+        hasBegun <- M.read begun p
+        M.write begun p True
+        fine <- (&&) <$> apart low lower <*> apart upper high
+        onwardIf (if not hasBegun && isFree == (outlineIds o V.! p == Enclosure) then Misplaced else found) fine
+      where
+        onwardIf now fine = if fine then onward now else pure Meet
+        apart s t
+          | s == noSlot || t == noSlot = pure True
+          | otherwise = separate <$> sideIn scan s <*> sideIn scan t
+    {-# INLINE told #-}
+  scanning plane told Disjoint
   where
     n = outlineTotal o
     r = outlineRanked o
-    points = rankedPoints r
     isFreeBeyond = Enclosure `V.notElem` outlineIds o
-
-get :: M.MVector s Int32 -> Int -> ST s Int
-get table k = fromIntegral <$> M.read table k
-{-# INLINE get #-}
-
-put :: M.MVector s Int32 -> Int -> Int -> ST s ()
-put table k value = M.write table k (fromIntegral value)
-{-# INLINE put #-}
+    plane =
+      Plane
+        { planePoints = rankedPoints r
+        , cornerTotal = n
+        , cornerScanned = \k -> fromIntegral (outlineOrder o U.! k)
+        , cornersHere = const 1
+        , joinedCorners = joinedTo o
+        , isScannedAfter = \k q -> q /= noCorner && numberOf o q > k
+        , isLowerFace = const False
+        }
+    separate (Segment a b) (Segment c d) =
+      a == c || a == d || b == c || b == d || meeting r (Segment a b) (Segment c d) == Apart

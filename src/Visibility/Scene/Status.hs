@@ -5,6 +5,7 @@
 module Visibility.Scene.Status
   ( Status
   , newStatus
+  , Slot
   , noSlot
     -- * Looking
   , below
@@ -29,8 +30,11 @@ newtype Status s = Status (M.MVector s Int32)
 
 data Link = LowerTree | UpperTree | Parent | Below | Above
 
+-- | The number of a slot, or 'noSlot'.
+type Slot = Int
+
 -- | In the place of a slot.
-noSlot :: Int
+noSlot :: Slot
 noSlot = -1
 
 -- | Without any slot in it, for slots below a bound.

@@ -17,30 +17,22 @@ module Visibility.Sweep.Vertical
   , solid
   , skyCode
   , objectOf
+  , objectAt
     -- * The plane sweep
   , Vertical (..)
   , verticalSweep
   , firstTargets
-    -- * Its states
-  , Crossing (..)
-  , freeAbove
-  , freeBelow
-  , beyondAll
-  , cornersFrom
-  , startingSides
   ) where
 
-import Control.Monad (foldM, forM_, unless, when)
+import Control.Monad (forM_, unless, when)
 import Control.Monad.ST (ST, runST)
 import Data.Int (Int32)
-import qualified Data.IntSet as IntSet
-import Data.List (sortBy)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
-import Visibility.Scene.Status
+import Visibility.Scene.Scan
 
 -- | Which way a sweep's rays go along the line.
 data Heading = Rightward | Leftward
@@ -69,9 +61,13 @@ skyCode = cornerCount
 objectOf :: Scene -> Int -> Maybe Object
 objectOf scene code
   | code == solid = Nothing
-  | code == skyCode scene = Just Sky
-  | otherwise = Just (Side (SideId code))
+  | otherwise = Just (objectAt scene code)
 {-# INLINE objectOf #-}
+
+-- | The same of a number that does not stand for 'solid'.
+objectAt :: Scene -> Int -> Object
+objectAt scene code = if code == skyCode scene then Sky else Side (SideId code)
+{-# INLINE objectAt #-}
 
 -- | The situation at the start of the half turn.
 data Vertical = Vertical
@@ -88,20 +84,16 @@ floorsFor heading = case heading of
   Rightward -> floors
   Leftward -> ceilings
 
--- | A side that crosses the vertical, from its left end to its right one. The two sides of a thin wall of one piece are
--- one crossing; the two faces of a piece of a longer one are two, in one place.
-data Crossing = Crossing !Int !Int
-
--- | The side of a crossing that is free above it, or 'solid'.
+-- | The side of a segment that is free above it, or 'solid'.
 --
 -- Sides keep their solid on the left: one that leads forward has free space below it, one that leads back has it
 -- above. A thin wall of one piece has a side of each kind.
-freeAbove :: Scene -> Crossing -> Int
-freeAbove scene (Crossing a b) = if following scene b == a then b else solid
+freeAbove :: Scene -> Segment -> Int
+freeAbove scene (Segment a b) = if following scene b == a then b else solid
 
--- | The side of a crossing that is free below it, or 'solid'.
-freeBelow :: Scene -> Crossing -> Int
-freeBelow scene (Crossing a b) = if following scene a == b then a else solid
+-- | The side of a segment that is free below it, or 'solid'.
+freeBelow :: Scene -> Segment -> Int
+freeBelow scene (Segment a b) = if following scene a == b then a else solid
 
 following, preceding :: Scene -> Int -> Int
 following scene p = let CornerId q = nextCorner scene (CornerId p) in q
@@ -109,7 +101,7 @@ preceding scene p = let CornerId q = previousCorner scene (CornerId p) in q
 {-# INLINE following #-}
 {-# INLINE preceding #-}
 
--- | What lies above and below all crossings: the sky, or 'solid' in a room.
+-- | What lies above and below all sides: the sky, or 'solid' in a room.
 beyondAll :: Scene -> Int
 beyondAll scene = case surroundings scene of
   OpenSky -> skyCode scene
@@ -127,111 +119,38 @@ verticalSweep :: Scene -> Vertical
 verticalSweep scene = runST $ do
   floors' <- M.new n
   ceilings' <- M.new n
-  -- The sides that the vertical meets, from below upwards, each in a slot.
-  status <- newStatus n
-  -- Of slot s, the ends of its side at 2s and 2s + 1.
-  ends <- M.new (2 * n)
-  -- The slots of the sides that end at corner c, at 2c and 2c + 1.
-  arrivals <- M.replicate (2 * n) (fromIntegral noSlot)
   let
-    -- The slots from a number on are not in use yet.
-    visit !x !unused
-      | x >= n = pure ()
-      | otherwise = do
-          s <- get arrivals (2 * x)
-          t <- get arrivals (2 * x + 1)
-          let later = max (following scene x) (preceding scene x)
-          -- What happens most often has a way of its own, without lists: a side takes the slot of another.
-          if s /= noSlot && t == noSlot && later > x && isLast x
-            then do
-              occupy s (Crossing x later)
-              low <- below status s
-              high <- above status s
-              ordered low high x
-              seen low high x
-              visit (x + 1) unused
-            else do
-              let here = cornersFrom scene x
-                  starting = startingSides scene here
-              (low, high) <- concat <$> mapM arriving here >>= gap x
-              ordered low high x
-              filled low high unused starting
-              mapM_ (seen low high) here
-              visit (x + length here) (unused + length starting)
-
+    told scan () (Place x size low high _) onward = do
+      ordered scan low high x
+      forM_ [x .. x + size - 1] $ \p -> do
+        let (seesDown, seesUp) = verticals scene p
+        if seesDown then sideOf scan freeAbove low >>= put floors' p else put floors' p solid
+        if seesUp then sideOf scan freeBelow high >>= put ceilings' p else put ceilings' p solid
+      onward ()
+    {-# INLINE told #-}
     -- Unsafe arithmetic may get the sides out of order.
-    ordered low high x = do
-      isAbove <- if low == noSlot then pure True else isUnder x low
-      isBelow <- if high == noSlot then pure True else not <$> isUnder x high
-      unless (isAbove && isBelow) $ disordered x
-    disordered x = broken "the sides that a vertical meets are in order" ("at corner " <> show x)
-    isUnder x s = (\(Crossing a b) -> turn (scenePoints scene) a b x == LeftTurn) <$> sideIn s
-
-    isLast x = x + 1 >= n || not (samePlace scene (CornerId x) (CornerId (x + 1)))
-
-    -- What a corner sees between two slots.
-    seen low high p = do
-      let (seesDown, seesUp) = verticals scene p
-      if seesDown then sideOf freeAbove low >>= put floors' p else put floors' p solid
-      if seesUp then sideOf freeBelow high >>= put ceilings' p else put ceilings' p solid
-
-    -- The slots around a place, when those that end there have been taken out.
-    gap x [] = lookupGap status (isUnder x)
-    gap x slots = do
-      let ending = IntSet.fromList slots
-      lows <- filter (`IntSet.notMember` ending) <$> mapM (below status) slots
-      case lows of
-        [_] -> foldM (\_ s -> remove status s) (noSlot, noSlot) slots
-        _ -> disordered x
-
-    filled _ _ _ [] = pure ()
-    filled low high s (side : others) = do
-      occupy s side
-      insertBetween status low high s
-      filled s high (s + 1) others
-
-    occupy s (Crossing a b) = do
-      put ends (2 * s) a
-      put ends (2 * s + 1) b
-      first <- get arrivals (2 * b)
-      put arrivals (if first == noSlot then 2 * b else 2 * b + 1) s
-
-    arriving c = do
-      s <- get arrivals (2 * c)
-      t <- get arrivals (2 * c + 1)
-      pure (filter (/= noSlot) [s, t])
-
-    sideIn s = Crossing <$> get ends (2 * s) <*> get ends (2 * s + 1)
-    sideOf part s = if s == noSlot then pure (beyondAll scene) else part scene <$> sideIn s
-  visit 0 0
+    ordered scan low high x = do
+      isAbove <- if low == noSlot then pure True else not <$> isUnder plane scan x low
+      isBelow <- if high == noSlot then pure True else isUnder plane scan x high
+      unless (isAbove && isBelow) $
+        broken "the sides that a vertical meets are in order" ("at corner " <> show x)
+    sideOf scan part s = if s == noSlot then pure (beyondAll scene) else part scene <$> sideIn scan s
+  scanning plane told ()
   Vertical <$> U.unsafeFreeze floors' <*> U.unsafeFreeze ceilings'
   where
     n = cornerCount scene
-    get :: M.MVector s Int32 -> Int -> ST s Int
-    get table k = fromIntegral <$> M.read table k
     put :: M.MVector s Int32 -> Int -> Int -> ST s ()
     put table k value = M.write table k (fromIntegral value)
-
--- | The corners in the place of one, which is the first of them.
-cornersFrom :: Scene -> Int -> [Int]
-cornersFrom scene x = x : [c | c <- takeWhile isHere [x + 1 .. cornerCount scene - 1]]
-  where
-    isHere c = samePlace scene (CornerId x) (CornerId c)
-
--- | The sides that start at corners of one place, seen from the left, from the lowest to the uppermost. Of the two
--- faces of one piece of a wall the lower one, which has free space on its right, comes first.
-startingSides :: Scene -> [Int] -> [Crossing]
-startingSides scene here = case [Crossing p q | p <- here, q <- neighbours p, p < q] of
-  found@(_ : _ : _) -> sortBy order found
-  found -> found
-  where
-    neighbours p
-      | following scene p == preceding scene p = [following scene p]
-      | otherwise = [following scene p, preceding scene p]
-    order (Crossing a b) (Crossing _ d) = case turn (scenePoints scene) a b d of
-      LeftTurn -> LT
-      RightTurn -> GT
-      Collinear -> if following scene a == b then LT else GT
+    plane =
+      Plane
+        { planePoints = scenePoints scene
+        , cornerTotal = n
+        , cornerScanned = id
+        , cornersHere = \x -> 1 + length (takeWhile (samePlace scene (CornerId x) . CornerId) [x + 1 .. n - 1])
+        , joinedCorners = \p -> (following scene p, preceding scene p)
+        , isScannedAfter = \x q -> q > x
+        , isLowerFace = \(Segment a b) -> following scene a == b
+        }
 
 -- | Does the cone of a corner hold the direction down, and that up?
 verticals :: Scene -> Int -> (Bool, Bool)

@@ -5,7 +5,7 @@ import qualified Data.Map.Strict as Map
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
-import Visibility.Complex.Build (build)
+import Visibility.Complex (complexOf)
 import Visibility.Complex.Locate
 import Visibility.Complex.Type hiding (Kind)
 import Visibility.Complex.Walk
@@ -40,36 +40,36 @@ spec = do
       it "from a corner by name is the same as from its place; nothing, where it is all covered" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              index = locatorOf scene
-              fromName name point = lookAround index (AtCorner name point)
+              complex = complexOf scene
+              fromName name point = lookAround complex (AtCorner name point)
            in conjoin
-                [ counterexample (show name) $ case lookAround index (AtPoint point) of
+                [ counterexample (show name) $ case lookAround complex (AtPoint point) of
                     Left _ -> (cornersNamed scene name, fromName name point) === (Just [], Right (Look [] 0))
                     found -> fromName name point === found
                 | (name, point) <- statedCorners scene
                 ]
     it "in a room that is filled sees nothing, and tells what is in the way" $
       fmap
-        (\s -> map (lookAround (locatorOf (sampleScene s)) . AtPoint) [Point (1 / 2) (1 / 3), Point 0 0, Point 2 0])
+        (\s -> map (lookAround (complexOf (sampleScene s)) . AtPoint) [Point (1 / 2) (1 / 3), Point 0 0, Point 2 0])
         filled
         `shouldBe` Just [Left (Obstacle 0), Left (Obstacle 0), Left Enclosure]
     it "is tested from places of every kind" $
       checkCoverage $ \(AnyScene s) ->
         let scene = sampleScene s
-            index = locatorOf scene
+            complex = complexOf scene
          in forAll (somePoint scene) $ \eye ->
-              let kind = kindOf (snd (locate index eye))
+              let kind = kindOf (snd (locate complex eye))
                in foldr (\k -> cover 1 (k == kind) (show k)) (property True) [minBound ..]
     it "makes the same visibility polygon as an angular scan" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
          in forAll (somePoint scene) $ \eye ->
-              (region scene eye . lookSights <$> lookAround (locatorOf scene) (AtPoint eye))
+              (region scene eye . lookSights <$> lookAround (complexOf scene) (AtPoint eye))
                 === (region scene eye <$> scan scene eye)
     it "visits no more faces than there are corners to pass, twice" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-         in forAll (somePoint scene) $ \eye -> case lookAround (locatorOf scene) (AtPoint eye) of
+         in forAll (somePoint scene) $ \eye -> case lookAround (complexOf scene) (AtPoint eye) of
               Left _ -> property Discard
               Right found -> property (lookSteps found <= 2 * (cornerCount scene + 1))
   describe "what a side sees" $ do
@@ -115,19 +115,13 @@ spec = do
       | faceBack complex f == faceFront complex f = [faceBack complex f]
       | otherwise = [faceBack complex f, faceFront complex f]
 
-complexOf :: Scene -> Complex
-complexOf scene = build scene (vertices scene)
-
-locatorOf :: Scene -> Locator
-locatorOf = locator . complexOf
-
 seesLikeScan :: Scene -> Property
-seesLikeScan scene = forAll (vectorOf 5 (somePoint scene)) $ \eyes -> conjoin (map (sameFrom index) eyes)
+seesLikeScan scene = forAll (vectorOf 5 (somePoint scene)) $ \eyes -> conjoin (map (sameFrom complex) eyes)
   where
-    index = locatorOf scene
+    complex = complexOf scene
 
 seesLikeScanFromAll :: Scene -> Property
-seesLikeScanFromAll scene = conjoin (map (sameFrom (locatorOf scene)) (pointsOfInterest scene))
+seesLikeScanFromAll scene = conjoin (map (sameFrom (complexOf scene)) (pointsOfInterest scene))
 
 -- | Where a point may lie.
 data Kind = AtACorner | OnASide | OnAWall | InASolid | InTheFree | BesideAll
@@ -143,7 +137,7 @@ kindOf place = case place of
   InFree _ -> BesideAll
 
 -- | Is what is seen from a point the same as by scanning?
-sameFrom :: Locator -> Point -> Property
-sameFrom index eye =
+sameFrom :: Complex -> Point -> Property
+sameFrom complex eye =
   counterexample (show eye) $
-    (lookSights <$> lookAround index (AtPoint eye)) === scan (complexScene (locatorComplex index)) eye
+    (lookSights <$> lookAround complex (AtPoint eye)) === scan (complexScene complex) eye
