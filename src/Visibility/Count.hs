@@ -61,7 +61,7 @@ count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
 
 -- | The faces that begin at a vertex, from the views just after it. There the corners lie from above downwards in their
 -- order along the line, so going down it is a face that one corner opens and a later one closes.
-facesBegun :: Scene -> [(CornerId, View)] -> Int
+facesBegun :: Scene -> [(CornerId, View Object)] -> Int
 facesBegun scene line = fst (foldl' meet (0, Map.empty) (concatMap (uncurry (incidences scene)) line))
   where
     -- By label, the flank seen last.

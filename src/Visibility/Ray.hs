@@ -60,7 +60,7 @@ shoot scene c = snd . shootBoth (raysIn scene) c
 -- | The view of a corner.
 --
 -- /Requires/ a direction in which, forward and backward, no other corner is seen. /Cost/ O(n).
-viewAt :: Scene -> CornerId -> Direction -> View
+viewAt :: Scene -> CornerId -> Direction -> View Object
 viewAt = viewFrom . raysIn
 
 -- | What is seen from a corner against a direction and along it.
@@ -92,7 +92,7 @@ shootBoth (Rays scene table) c d@(Direction dx dy) = (sight (reversed d) back, s
           Just s -> maybe Solid (Meets . Side) s
 
 -- | The view of a corner, as 'viewAt'.
-viewFrom :: Rays -> CornerId -> Direction -> View
+viewFrom :: Rays -> CornerId -> Direction -> View Object
 viewFrom rays@(Rays scene _) c d = case shootBoth rays c d of
   (Meets back, Meets front) -> Tangent flank back front
   (Meets back, Solid) -> Ending Front back

@@ -6,14 +6,13 @@
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this
 -- project.
 module Visibility.View
-  ( -- * Views
+  ( -- * Views (their rule: "Visibility.Incidence")
     View (..)
   , Flank (..)
   , End (..)
   , Incidence (..)
   , incidences
   , isBuried
-  , viewOf
     -- * Tangency at a vertex
   , isTangent
   , freeBitangents
@@ -28,79 +27,13 @@ module Visibility.View
   , stretches
   ) where
 
-import Control.Monad.ST (ST)
-import qualified Control.Monad.ST.Lazy as Lazy
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', mapAccumL)
-import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
+import Visibility.Incidence
 import Visibility.Scene
-import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (objectOf)
 import Visibility.Sweep.Sights
-
--- | A side of a directed line: above is to the left of it.
-data Flank = Above | Below
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | An end of a maximal free segment: the front is where the right-going line leads.
-data End = Back | Front
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | The line through a corner at a direction between two of the corner's vertices.
-data View
-  = -- | The polygon lies strictly on this flank of the line; what is seen backward and forward. Three faces meet.
-    Tangent !Flank !Object !Object
-  | -- | The maximal free segment has this end at the corner; what is seen at its other end. Two faces meet.
-    Ending !End !Object
-  | -- | Neither ray is free: a reflex corner of the solid, whose free cone lies on this flank. The segment through it
-    -- is a single point, so it is no edge of the complex; yet it bounds one face, the segments that cut the corner off.
-    Buried !Flank
-  deriving (Eq, Ord, Show)
-
--- | Is the line through the corner no edge of the complex?
-isBuried :: View -> Bool
-isBuried (Buried _) = True
-isBuried _ = False
-
--- | The view of a corner from the numbers that tables hold: of the objects at its back and front, and 1 where the
--- following corner lies above its line.
-viewOf :: Scene -> Int -> Int -> Int -> View
-viewOf scene back front above = case (objectOf scene back, objectOf scene front) of
-  (Just b, Just f) -> Tangent flank b f
-  (Just b, Nothing) -> Ending Front b
-  (Nothing, Just f) -> Ending Back f
-  (Nothing, Nothing) -> Buried flank
-  where
-    flank = if above == 1 then Above else Below
-{-# INLINE viewOf #-}
-
--- | A face at the curve of a corner: the flank on which the face lies, and its label, the sides at the back and at the
--- front.
-data Incidence = Incidence !Flank !Object !Object
-  deriving (Eq, Ord, Show)
-
--- | The faces that meet at the curve of a corner under a view: 3 where it is tangent, 2 where it is ending, 1 where it
--- is buried.
---
--- /Degenerate cases/ none: at a direction between two vertices no side of the corner lies on the line, and a flat
--- corner is never tangent.
---
--- /Law/ at a vertex, above and below incidences of one label alternate along the corners, before and after it.
-incidences :: Scene -> CornerId -> View -> [Incidence]
-incidences scene c view = case view of
-  Tangent Above back front -> [Incidence Below back front, Incidence Above back arriving, Incidence Above leaving front]
-  Tangent Below back front -> [Incidence Above back front, Incidence Below back leaving, Incidence Below arriving front]
-  Ending Front back -> [Incidence Above back arriving, Incidence Below back leaving]
-  Ending Back front -> [Incidence Above leaving front, Incidence Below arriving front]
-  Buried Above -> [Incidence Above leaving arriving]
-  Buried Below -> [Incidence Below arriving leaving]
-  where
-    CornerId start = c
-    CornerId before = previousCorner scene c
-    leaving = Side (SideId start)
-    arriving = Side (SideId before)
+import Visibility.Sweep.Vertex
 
 -- | Does the line through two corners leave the polygon at the first of them on one side, so that both rays are free
 -- there?
@@ -155,8 +88,8 @@ statedPairs scene (p, q)
 -- it.
 data Event = Event
   { eventVertex :: !Vertex
-  , viewsBefore :: ![View]
-  , viewsAfter :: ![View]
+  , viewsBefore :: ![View Object]
+  , viewsAfter :: ![View Object]
   }
   deriving (Eq, Show)
 
@@ -165,29 +98,14 @@ data Event = Event
 -- /Requires/ the vertices of the scene in an order in which each corner's vertices come by increasing direction.
 -- /Cost/ O(1) per elementary pair, O(n) memory: tables are changed in place, as the stream is consumed.
 events :: Scene -> [Vertex] -> [Event]
-events scene stream = Lazy.runST $ do
-  sights <- Lazy.strictToLazyST (traverse U.thaw (startSights scene))
-  let go [] = pure []
-      go vertices = do
-        let (piece, rest) = splitAt 64 vertices
-        done <- Lazy.strictToLazyST (mapM (pass scene sights) piece)
-        (done <>) <$> go rest
-  go stream
-
--- | Turns the line of one vertex through it.
-pass :: Scene -> Changing s -> Vertex -> ST s Event
-pass scene sights vertex = do
-  before <- mapM look line
-  turnThrough scene sights vertex
-  after <- mapM look line
-  pure (Event vertex before after)
+events scene = concat . alongStream scene (\sights _ found -> (,) () <$> mapM (event sights) found) () . pieces
   where
-    line = vertexCorners vertex
-    look (CornerId p) = do
-      front <- M.read (frontOf sights) p
-      back <- M.read (backOf sights) p
-      above <- M.read (nextAbove sights) p
-      pure $! viewOf scene (fromIntegral back) (fromIntegral front) (fromIntegral above)
+    pieces found = case splitAt 64 found of
+      ([], _) -> []
+      (now, later) -> now : pieces later
+    event sights vertex = passing scene sights vertex $ \passed ->
+      pure $! Event vertex [view before | Passage _ before _ <- passed] [view after | Passage _ _ after <- passed]
+    view = viewOf scene
 
 -- | An open interval of directions between consecutive vertices of a corner, during which it has one view; cut where
 -- the half turn begins.
@@ -200,7 +118,7 @@ data Edge = Edge
   -- ^ Direction of its first vertex, or (0, −1) where the half turn begins, at −90°.
   , edgeTo :: !Direction
   -- ^ Direction of its last vertex, or (0, 1) where the half turn ends, at 90°.
-  , edgeView :: !View
+  , edgeView :: !(View Object)
   -- ^ Not 'Buried', unless it comes from 'stretches'.
   }
   deriving (Eq, Show)

@@ -100,7 +100,7 @@ eventsOf :: Scene -> [Event]
 eventsOf scene = events scene (vertices scene)
 
 -- | An edge with its directions in lowest terms.
-keyOf :: Edge -> (CornerId, Direction, Direction, View)
+keyOf :: Edge -> (CornerId, Direction, Direction, View Object)
 keyOf e = (edgeCorner e, primitive (edgeFrom e), primitive (edgeTo e), edgeView e)
 
 byCorner :: [Edge] -> [[Edge]]
@@ -113,7 +113,7 @@ byCorner es = map (sortBy fromDown) (Map.elems (Map.fromListWith (<>) [(edgeCorn
       (d, d') -> compareDirections d d'
 
 -- | What each corner sees before and after each of its vertices, in their order.
-histories :: Scene -> [[(View, View)]]
+histories :: Scene -> [[(View Object, View Object)]]
 histories scene =
   Map.elems . Map.fromListWith (flip (<>)) $
     [ (c, [views])
@@ -122,7 +122,7 @@ histories scene =
     ]
 
 -- | The view along the same line in the other direction.
-readBackwards :: View -> View
+readBackwards :: View Object -> View Object
 readBackwards (Tangent flank back front) = Tangent (otherFlank flank) front back
 readBackwards (Ending Back object) = Ending Front object
 readBackwards (Ending Front object) = Ending Back object
@@ -133,7 +133,7 @@ otherFlank Above = Below
 otherFlank Below = Above
 
 -- | The faces at all corners of a vertex, in their order along the line.
-incidencesOf :: Scene -> Event -> [View] -> [Incidence]
+incidencesOf :: Scene -> Event -> [View Object] -> [Incidence]
 incidencesOf scene e views = concat (zipWith (incidences scene) (vertexCorners (eventVertex e)) views)
 
 -- | The flanks of the incidences of each label, in their order.

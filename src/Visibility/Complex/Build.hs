@@ -15,10 +15,11 @@ import Data.Int (Int32)
 import Data.STRef (STRef, newSTRef, readSTRef, writeSTRef)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Sweep.Cut
 import Visibility.Complex.Type
+import Visibility.Incidence (Outlook (..))
 import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Sweep.Cut
 import Visibility.Sweep.Vertex
 
 -- | The complex of a scene from all its vertices, numbered in their order.
@@ -54,9 +55,8 @@ build scene vertices = runST $ do
         i <- reserve starts 1
         table <- content starts
         M.write table i (fromIntegral size)
-        cross scene keeper cut vertex
-        let line = vertexCorners vertex
-        forM_ line $ \(CornerId c) -> record records cut c
+        line <- cross scene keeper cut vertex
+        mapM_ (record records cut) line
         sweep cut (size + length line) rest
   cut <- openCut scene keeper
   quarters <- quarterTable <$> freeze cut
@@ -76,10 +76,9 @@ recordWidth = 8
 faceWidth :: Int
 faceWidth = 4
 
--- | Collects the stretch of a corner that begins with its present view.
-record :: Growing s -> Cut (M.MVector s Int32) -> Int -> ST s ()
-record records cut c = do
-  (b, f, up) <- sightsNow cut c
+-- | Collects the stretch of a corner that begins with an outlook.
+record :: Growing s -> Cut (M.MVector s Int32) -> (Int, Outlook) -> ST s ()
+record records cut (c, Outlook b f up) = do
   (q0, q1, q2, q3) <- quartersNow cut c
   i <- reserve records recordWidth
   table <- content records

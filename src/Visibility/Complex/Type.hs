@@ -56,11 +56,12 @@ import Data.List (nub)
 import Data.Maybe (listToMaybe, mapMaybe)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
+import Visibility.Incidence
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (objectOf, skyCode, solid)
-import Visibility.View (End (..), Flank (..), View (..), isTangent, viewOf)
+import Visibility.Sweep.Vertical (objectAt, objectOf, solid)
+import Visibility.View (isTangent)
 
 -- | A vertex, from 0.
 newtype VertexId = VertexId Int
@@ -246,9 +247,9 @@ edgeAfter complex (EdgeId e) = EdgeId (at (stretchesAfter complex) e)
 {-# INLINE edgeAfter #-}
 
 -- | The view during a stretch, read as it is where the stretch begins.
-edgeView :: Complex -> EdgeId -> View
+edgeView :: Complex -> EdgeId -> View Object
 edgeView complex (EdgeId e) =
-  viewOf (complexScene complex) (code stretchBacks) (code stretchFronts) (code stretchFlanks)
+  viewOf (complexScene complex) (Outlook (code stretchBacks) (code stretchFronts) (code stretchFlanks))
   where
     code table = at (table complex) e
 
@@ -303,16 +304,11 @@ faceIds complex = map FaceId [0 .. faceTotal complex - 1]
 
 -- | The object at the back of a face's segments, as it is where the face begins.
 faceBack :: Complex -> FaceId -> Object
-faceBack complex (FaceId f) = faceObject complex (at (faceBacks complex) f)
+faceBack complex (FaceId f) = objectAt (complexScene complex) (at (faceBacks complex) f)
 
 -- | The object at their front.
 faceFront :: Complex -> FaceId -> Object
-faceFront complex (FaceId f) = faceObject complex (at (faceFronts complex) f)
-
-faceObject :: Complex -> Int -> Object
-faceObject complex code
-  | code == skyCode (complexScene complex) = Sky
-  | otherwise = Side (SideId code)
+faceFront complex (FaceId f) = objectAt (complexScene complex) (at (faceFronts complex) f)
 
 -- | The vertex where a face begins; 'Nothing' for the lines under the sky that miss everything.
 faceFirst :: Complex -> FaceId -> Maybe VertexId

@@ -146,7 +146,7 @@ dualDrawing scene stream =
 
 -- | Tangent and ending parts of a curve are edges of the complex; where the corner is buried, its curve still bounds a
 -- face.
-curveStyle :: View -> Style
+curveStyle :: View Object -> Style
 curveStyle view = case view of
   Tangent {} -> TangentCurve
   Ending _ _ -> EndingCurve

@@ -22,18 +22,18 @@ module Visibility.FormFactor.Terms
   , rowsOf
   ) where
 
-import Control.Monad (foldM, forM, zipWithM_)
-import Control.Monad.ST (ST, runST)
+import Control.Monad (foldM)
+import Control.Monad.ST (ST)
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Incidence
 import Visibility.Scene
 import Visibility.Sorting
 import Visibility.Sweep.Piece
 import Visibility.Sweep.Sights
-import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (skyCode, solid)
+import Visibility.Sweep.Vertical (skyCode)
 
 -- Note [Measures along the stream]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -72,15 +72,11 @@ slotEnds terms slot = let (a, b) = slots terms U.! slot in (fromIntegral a, from
 --
 -- /Cost/ O(1) per elementary pair; live memory O(n) besides the result, which has up to six terms for each of them.
 termsInPieces :: Scene -> [Piece] -> Terms
-termsInPieces scene pieces = runST $ do
-  sights <- traverse U.thaw (startSights scene)
-  (_, done) <- foldM (\(base, before) piece -> onward before <$> piecewise scene sights base piece) (0, []) pieces
-  let ordered = reverse done
-  pure (Terms (U.concat (map fst ordered)) (U.concat (map snd ordered)))
+termsInPieces scene pieces = Terms (U.concat (map fst found)) (U.concat (map snd found))
   where
-    onward before (base, found) = let !base' = base in (base', found : before)
+    found = alongStream scene (piecewise scene) 0 pieces
 
--- | The terms and slots of one piece, the first slot having the given number; and the number of the next one.
+-- | The terms and slots of one piece, the first slot having the given number; before them the number of the next slot.
 piecewise
   :: Scene
   -> Changing s
@@ -91,77 +87,48 @@ piecewise scene sights !base piece = do
   items <- M.new (6 * size)
   ends <- M.new size
   let
-    general !used !slot vertex = do
-      before <- forM line look
-      turnThrough scene sights vertex
-      after <- forM line look
-      let elsewhere c = not (samePlace scene (CornerId first) (CornerId c))
-          others = [x | x@(c, _, _) <- drop 1 (zip3 line before after), elsewhere c]
-      zipWithM_ (\k (c, _, _) -> M.write ends (k - base) (int first, int c)) [slot ..] others
-      used' <- foldM (\u (k, (c, b, a)) -> changes u k c b a) used (zip [slot ..] others)
-      pure (used', slot + length others)
-      where
-        line = [c | CornerId c <- vertexCorners vertex]
-        CornerId first = vertexFirst vertex
-
-    double !used !slot !p !q = do
-      before <- look q
-      turnPair scene sights p q
-      after <- look q
-      M.unsafeWrite ends (slot - base) (int p, int q)
-      changes used slot q before after
-
-    look !c = do
-      back <- M.unsafeRead (backOf sights) c
-      front <- M.unsafeRead (frontOf sights) c
-      up <- M.unsafeRead (nextAbove sights) c
-      pure (Sight (fromIntegral back) (fromIntegral front) (fromIntegral up))
-    {-# INLINE look #-}
-
-    -- The terms of the corner c with the distance of a slot: of its faces before the vertex and after it.
-    changes !used !slot !c before after
-      | before == after = pure used
-      | otherwise = do
-          end <- sights' (-1) before used >>= sights' 1 after
-          settled used end used
-      where
-        arriving = let CornerId x = previousCorner scene (CornerId c) in x
-        -- The faces at the curve of a corner; the sign is that of faces above it.
-        sights' !sign (Sight b f up) !u
-          | b /= solid && f /= solid =
-              if up == 1
-                then add (negate sign) b f u >>= add sign b arriving >>= add sign c f
-                else add sign b f u >>= add (negate sign) b c >>= add (negate sign) arriving f
-          | b /= solid = add sign b arriving u >>= add (negate sign) b c
-          | f /= solid = add sign c f u >>= add (negate sign) arriving f
-          | up == 1 = add sign c arriving u
-          | otherwise = add (negate sign) arriving c u
-        add !k !a !b !u
-          | a == sky && b == sky = pure u
-          | otherwise = enter used (pairOf (min a b) (max a b)) k u
-        -- Adds to the term of a pair, if there is one since the given place.
-        enter !i !pair !k !u
-          | i >= u = M.unsafeWrite items u (pair, k) >> pure (u + 1)
-          | otherwise = do
-              (pair', k') <- M.unsafeRead items i
-              if pair' == pair then M.unsafeWrite items i (pair, k' + k) >> pure u else enter (i + 1) pair k u
-        -- Keeps those that are not zero, with their slot.
-        settled !i !end !u
-          | i >= end = pure u
-          | otherwise = do
-              (pair, k) <- M.unsafeRead items i
-              if k == 0
-                then settled (i + 1) end u
-                else M.unsafeWrite items u (pair, weightOf slot k) >> settled (i + 1) end (u + 1)
-
     go !used !slot found = case found of
       [] -> pure (used, slot)
-      Vertex (CornerId p) (CornerId q) [] : rest | not (hasSplitEnds scene) -> do
-        used' <- double used slot p q
-        go used' (slot + 1) rest
-      vertex : rest -> do
-        (used', slot') <- general used slot vertex
-        go used' slot' rest
+      vertex : rest -> passing scene sights vertex $ \passed -> case passed of
+        -- What happens most often.
+        [Passage p _ _, Passage q before after] -> distance p q before after used slot >>= \u -> go u (slot + 1) rest
+        _ -> general used slot passed >>= \(u, k) -> go u k rest
+
+    general used slot passed = case passed of
+      [] -> pure (used, slot)
+      Passage first _ _ : others -> foldM (to first) (used, slot) others
+    to first (!used, !slot) (Passage c before after)
+      | samePlace scene (CornerId first) (CornerId c) = pure (used, slot)
+      | otherwise = (\u -> (u, slot + 1)) <$> distance first c before after used slot
+
+    -- The slot for the distance to a corner, and the terms of the corner with it.
+    distance !first !c before after !used !slot = do
+      M.unsafeWrite ends (slot - base) (int first, int c)
+      if before == after
+        then pure used
+        else do
+          end <- faces (-1) before used >>= faces 1 after
+          settled slot used end used
+      where
+        -- Adds terms of the faces at the curve of the corner; the sign is that of faces above it.
+        faces !sign = foldFaces scene (face sign) pure c
+        face !sign flank _ a b rest u
+          | a == sky && b == sky = rest u
+          | otherwise = enter used (pairOf (min a b) (max a b)) (if flank == Above then sign else -sign) u >>= rest
+    -- Adds to the term of a pair, if there is one since the given place.
+    enter !i !pair !k !u
+      | i >= u = M.unsafeWrite items u (pair, k) >> pure (u + 1)
+      | otherwise = do
+          (pair', k') <- M.unsafeRead items i
+          if pair' == pair then M.unsafeWrite items i (pair, k' + k) >> pure u else enter (i + 1) pair k u
+    -- Keeps those that are not zero, with their slot.
+    settled !slot !i !end !u
+      | i >= end = pure u
+      | otherwise = do
+          (pair, k) <- M.unsafeRead items i
+          if k == 0
+            then settled slot (i + 1) end u
+            else M.unsafeWrite items u (pair, weightOf slot k) >> settled slot (i + 1) end (u + 1)
   (used, slot) <- go 0 base (pieceVertices piece)
   items' <- U.freeze (M.take used items)
   ends' <- U.freeze (M.take (slot - base) ends)
@@ -170,10 +137,6 @@ piecewise scene sights !base piece = do
     size = pieceCorners piece
     sky = skyCode scene
     int = fromIntegral :: Int -> Int32
-
--- | The objects at the back and in front of a corner, and 1 where the following corner lies above its line.
-data Sight = Sight !Int !Int !Int
-  deriving Eq
 
 -- | A slot and a multiple of it, from −8 to 7.
 weightOf :: Slot -> Int -> Int

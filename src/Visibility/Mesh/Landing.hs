@@ -10,13 +10,13 @@ module Visibility.Mesh.Landing
   , landingsOn
   ) where
 
-import Control.Monad (foldM)
-import Control.Monad.ST (ST, runST)
+import Control.Monad.ST (ST)
 import Data.Int (Int32)
 import Data.List (minimumBy)
 import Data.Ord (comparing)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Incidence (Outlook (..))
 import Visibility.Mesh.Type
 import Visibility.Scene
 import Visibility.Sorting
@@ -54,13 +54,11 @@ type Found = (Int32, Int32, Int32, Bool)
 --
 -- /Cost/ O(1) per elementary pair, O(m + n) in all; 13 bytes per landing.
 landings :: Scene -> [Vertex] -> Landings
-landings scene swept = runST $ do
-  sights <- traverse U.thaw (startSights scene)
-  found <- foldM (\done piece -> (: done) <$> piecewise scene sights piece) [] (inPieces swept)
-  let sorted = sortedBy n (\(s, _, _, _) -> fromIntegral s) (U.concat (reverse found))
-      counts = U.accumulate (+) (U.replicate n 0) (U.map (\(s, _, _, _) -> (fromIntegral s, 1)) sorted)
-  pure (Landings (U.scanl' (+) 0 counts) (U.map (\(_, p, q, free) -> (p, q, free)) sorted))
+landings scene swept = Landings (U.scanl' (+) 0 counts) (U.map (\(_, p, q, free) -> (p, q, free)) sorted)
   where
+    found = alongStream scene (\sights _ piece -> (,) () <$> piecewise scene sights piece) () (inPieces swept)
+    sorted = sortedBy n (\(s, _, _, _) -> fromIntegral s) (U.concat found)
+    counts = U.accumulate (+) (U.replicate n 0) (U.map (\(s, _, _, _) -> (fromIntegral s, 1)) sorted)
     n = cornerCount scene
 
 -- | The casters that land on a side, in the order of the stream.
@@ -81,38 +79,35 @@ piecewise scene sights piece = do
   let
     go !used found = case found of
       [] -> pure used
-      Vertex (CornerId p) (CornerId q) [] : rest | not (hasSplitEnds scene) -> do
-        back <- M.unsafeRead (backOf sights) p
-        front <- M.unsafeRead (frontOf sights) q
-        turnPair scene sights p q
-        let free = isSeen back && isSeen front && not (isSide p q)
-        put used back p q free >>= \u -> put u front q p free >>= \u' -> go u' rest
-      vertex : rest -> do
-        let line = vertexCorners vertex
-            cast = casting scene vertex
-        back <- firstSeen (backOf sights) line
-        front <- firstSeen (frontOf sights) (reverse line)
-        turnThrough scene sights vertex
-        let (Caster kind (CornerId p) (CornerId q), Caster kind' (CornerId p') (CornerId q')) = cast
-        put used back p q (kind == ShadowLimit) >>= \u -> put u front p' q' (kind' == ShadowLimit) >>= \u' -> go u' rest
+      vertex : rest -> passing scene sights vertex $ \passed -> case passed of
+        [Passage p (Outlook back _ _) _, Passage q (Outlook _ front _) _] | not (hasSplitEnds scene) -> do
+          let free = back /= solid && front /= solid && not (isSide p q)
+          put used back p q free >>= \u -> put u front q p free >>= \u' -> go u' rest
+        _ -> do
+          let (backward, forward) = casting scene vertex
+          cast used (firstSeen (\(Outlook back _ _) -> back) passed) backward
+            >>= \u -> cast u (firstSeen (\(Outlook _ front _) -> front) (reverse passed)) forward
+            >>= \u' -> go u' rest
+    cast used object (Caster kind (CornerId near) (CornerId far)) = put used object near far (kind == ShadowLimit)
     put !used !object !near !far !free
-      | object == fromIntegral solid || object == sky = pure used
+      | object == solid || object == sky = pure used
       | otherwise = do
-          M.unsafeWrite items used (object, fromIntegral near, fromIntegral far, free)
+          M.unsafeWrite items used (fromIntegral object, fromIntegral near, fromIntegral far, free)
           pure (used + 1 :: Int)
   used <- go 0 (pieceVertices piece)
   U.freeze (M.take used items)
   where
-    sky = fromIntegral (skyCode scene) :: Int32
-    isSeen object = object /= fromIntegral solid
+    sky = skyCode scene
     isSide p q = nextCorner scene (CornerId p) == CornerId q || previousCorner scene (CornerId p) == CornerId q
     -- Where a line runs along both faces of a wall, it goes on along one of them at most.
-    firstSeen table line = do
-      seen <- mapM (\(CornerId c) -> M.read table c) (here line)
-      pure (foldr (\object rest -> if object == fromIntegral solid then rest else object) (fromIntegral solid) seen)
-    here line = case line of
+    firstSeen part passed = case filter (/= solid) (map part (here passed)) of
+      object : _ -> object
+      [] -> solid
+    here passed = case passed of
       [] -> []
-      first : _ -> takeWhile (samePlace scene first) line
+      Passage first _ _ : _ ->
+        let isHere (Passage c _ _) = samePlace scene (CornerId first) (CornerId c)
+         in [before | Passage _ before _ <- takeWhile isHere passed]
 
 -- | What a vertex casts backward and forward, if it lands there.
 casting :: Scene -> Vertex -> (Caster, Caster)

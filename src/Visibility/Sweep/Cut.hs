@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The faces around every corner while the direction turns: what a vertex does to them, in O(1) per incidence.
 --
 -- A cut is the state of the complex at one direction, or in one state of a topological sweep: for each corner its view
@@ -11,7 +9,6 @@ module Visibility.Sweep.Cut
   , openCut
   , cross
     -- * What a cut says
-  , sightsNow
   , quartersNow
   , quarterTable
     -- * Between pieces of work
@@ -22,14 +19,16 @@ module Visibility.Sweep.Cut
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
+import Data.Bits (shiftR)
 import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Incidence
 import Visibility.Law (broken)
 import Visibility.Scene
-import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (skyCode, solid)
 import Visibility.Sweep.Sights
+import Visibility.Sweep.Vertex
+import Visibility.Sweep.Vertical (skyCode)
 
 -- Note [Faces at a vertex]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~
@@ -95,34 +94,24 @@ openCut scene keeper = do
     outer <- opened keeper (skyCode scene) (skyCode scene)
     M.write (facesAbove cut) (skyCode scene) (fromIntegral outer)
     M.write (facesBelow cut) (skyCode scene) (fromIntegral outer)
-  settle scene keeper cut [n - 1, n - 2 .. 0]
+  mapM (\c -> (,) c <$> outlookFrom sights c) [n - 1, n - 2 .. 0] >>= settle scene keeper cut
   pure cut
 {-# INLINE openCut #-}
 
 -- Tables are read and written below without checks of their bounds: corners are below n, quarters below 4n, and
 -- objects, where they are no solid, at most n.
 
--- | Turns the cut through a vertex.
+-- | Turns the cut through a vertex, and tells of each of its corners what it sees after it.
 --
 -- /Requires/ vertices in an order in which each corner's vertices come by increasing direction.
 -- /Cost/ O(1) per incidence of the vertex with a face.
-cross :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Vertex -> ST s ()
-cross scene keeper cut vertex = do
-  leave scene keeper cut (reverse line)
-  turnThrough scene (cutSights cut) vertex
-  settle scene keeper cut line
-  where
-    line = [c | CornerId c <- vertexCorners vertex]
+cross :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Vertex -> ST s [(Int, Outlook)]
+cross scene keeper cut vertex = passing scene (cutSights cut) vertex $ \passed -> do
+  foldr (\(Passage c before _) above -> above >> leave scene keeper cut c before) (pure ()) passed
+  let after = [(c, outlook) | Passage c _ outlook <- passed]
+  settle scene keeper cut after
+  pure after
 {-# INLINE cross #-}
-
--- | Back and front object of a corner, and 1 where the following corner lies above its line.
-sightsNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int)
-sightsNow cut c = do
-  b <- M.unsafeRead (backOf (cutSights cut)) c
-  f <- M.unsafeRead (frontOf (cutSights cut)) c
-  up <- M.unsafeRead (nextAbove (cutSights cut)) c
-  pure (fromIntegral b, fromIntegral f, fromIntegral up)
-{-# INLINE sightsNow #-}
 
 -- | The faces on the quarters of a corner, −1 in the solid: above at the back, above in front, below at the back,
 -- below in front.
@@ -136,91 +125,73 @@ quartersNow cut c = (,,,) <$> quarter 0 <*> quarter 1 <*> quarter 2 <*> quarter 
 quarterTable :: Cut v -> v
 quarterTable = cutQuarters
 
--- | Where a face lies at a corner: on one quarter, or on both of a flank.
-data Place = One !Int | Both !Int
+-- | Where a face lies at a corner: twice the number of its first quarter, and 1 more if it lies on both of a flank.
+type Place = Int32
 
--- | Goes through the faces at a corner, first those above its line, then those below it; each with its place and the
--- objects at its back and front.
-incident
-  :: Scene
-  -> Cut (M.MVector s Int32)
-  -> Int
-  -> (Place -> Int -> Int -> ST s ())
-  -> (Place -> Int -> Int -> ST s ())
-  -> ST s ()
-incident scene cut !c above below = do
-  (!b, !f, !up) <- sightsNow cut c
-  let !arriving = let CornerId p = previousCorner scene (CornerId c) in p
-      !q = 4 * c
-  if b /= solid
-    then
-      if f /= solid
-        then
-          if up == 1
-            then above (One q) b arriving >> above (One (q + 1)) c f >> below (Both (q + 2)) b f
-            else above (Both q) b f >> below (One (q + 2)) b c >> below (One (q + 3)) arriving f
-        else above (One q) b arriving >> below (One (q + 2)) b c
-    else
-      if f /= solid
-        then above (One (q + 1)) c f >> below (One (q + 3)) arriving f
-        else if up == 1 then above (Both q) c arriving else below (Both (q + 2)) arriving c
-{-# INLINE incident #-}
+placeOf :: Int -> Flank -> Part -> Place
+placeOf c flank part = fromIntegral $ case part of
+  AtBack -> 2 * first
+  InFront -> 2 * first + 2
+  Throughout -> 2 * first + 1
+  where
+    first = case flank of
+      Above -> 4 * c
+      Below -> 4 * c + 2
+{-# INLINE placeOf #-}
 
 firstQuarter :: Place -> Int
-firstQuarter (One q) = q
-firstQuarter (Both q) = q
+firstQuarter place = fromIntegral place `shiftR` 1
 {-# INLINE firstQuarter #-}
 
--- | Takes the corners of a vertex, from top to bottom, out of the faces around them: closes those that end here, and
--- leaves those that go on in 'facesAbove' and 'facesBelow'.
-leave :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [Int] -> ST s ()
-leave scene keeper cut line = forM_ line $ \c -> do
-  incident scene cut c above below
+-- | Takes a corner of a vertex out of the faces around it, after those above it: closes those that end here, and leaves
+-- those that go on in 'facesAbove' and 'facesBelow'.
+leave :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Int -> Outlook -> ST s ()
+leave scene keeper cut c before = do
+  foldFaces scene (\flank part b _ rest -> from flank (placeOf c flank part) b >> rest) (pure ()) c before
   forM_ [4 * c .. 4 * c + 3] $ \q -> M.unsafeWrite (cutQuarters cut) q (-1)
   where
-    above place b _ = do
+    from flank place b = do
       face <- M.unsafeRead (cutQuarters cut) (firstQuarter place)
-      begun <- M.unsafeRead (facesBelow cut) b
-      if begun == face
-        then M.unsafeWrite (facesBelow cut) b (-1) >> closed keeper (fromIntegral face)
-        else M.unsafeWrite (facesAbove cut) b face
-    below place b _ = M.unsafeRead (cutQuarters cut) (firstQuarter place) >>= M.unsafeWrite (facesBelow cut) b
+      case flank of
+        Below -> M.unsafeWrite (facesBelow cut) b face
+        Above -> do
+          begun <- M.unsafeRead (facesBelow cut) b
+          if begun == face
+            then M.unsafeWrite (facesBelow cut) b (-1) >> closed keeper (fromIntegral face)
+            else M.unsafeWrite (facesAbove cut) b face
 {-# INLINE leave #-}
 
 -- | Finds the faces around the corners of a vertex, from top to bottom, just after it: opens those that begin here, and
 -- takes all others from 'facesAbove' and 'facesBelow'.
-settle :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [Int] -> ST s ()
-settle scene keeper cut line = do
-  forM_ line $ \c -> incident scene cut c above below
-  forM_ line $ \c -> incident scene cut c (\_ _ _ -> pure ()) remaining
+settle :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [(Int, Outlook)] -> ST s ()
+settle scene keeper cut line = around found >> around remaining
   where
-    above place b f = do
+    around act = forM_ line $ \(c, after) ->
+      foldFaces scene (\flank part b f rest -> act flank (placeOf c flank part) b f >> rest) (pure ()) c after
+    found Above place b f = do
       waiting <- M.unsafeRead (unsettled cut) b
       face <-
         if waiting >= 0
           then do
             M.unsafeWrite (unsettled cut) b (-1)
             face <- fromIntegral <$> opened keeper b f
-            put (decoded waiting) face
+            put waiting face
             pure face
           else taken (facesAbove cut) b
       put place face
-    below place b _ = M.unsafeWrite (unsettled cut) b (encoded place)
-    remaining place b _ = do
+    found Below place b _ = M.unsafeWrite (unsettled cut) b place
+    remaining Above _ _ _ = pure ()
+    remaining Below place b _ = do
       waiting <- M.unsafeRead (unsettled cut) b
-      when (waiting == encoded place) $ do
+      when (waiting == place) $ do
         M.unsafeWrite (unsettled cut) b (-1)
         taken (facesBelow cut) b >>= put place
-    put (One q) face = M.unsafeWrite (cutQuarters cut) q face
-    put (Both q) face = M.unsafeWrite (cutQuarters cut) q face >> M.unsafeWrite (cutQuarters cut) (q + 1) face
+    put place face = do
+      M.unsafeWrite (cutQuarters cut) (firstQuarter place) face
+      when (odd place) $ M.unsafeWrite (cutQuarters cut) (firstQuarter place + 1) face
     taken table b = do
       face <- M.unsafeRead table b
-      when (face < 0) $ broken "a face that goes on past a vertex was there before it" (show (line, b))
+      when (face < 0) $ broken "a face that goes on past a vertex was there before it" (show (map fst line, b))
       M.unsafeWrite table b (-1)
       pure face
-    encoded (One q) = fromIntegral (2 * q) :: Int32
-    encoded (Both q) = fromIntegral (2 * q + 1)
-    decoded code =
-      let q = fromIntegral (code `div` 2)
-       in if even code then One q else Both q
 {-# INLINE settle #-}

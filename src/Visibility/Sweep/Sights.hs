@@ -1,7 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE RankNTypes #-}
 
 -- | What every corner sees along the line through it while the direction turns: tables that a vertex changes in O(1)
--- per elementary pair.
+-- per elementary pair. All that is told of a corner that passes a vertex is told from here.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; landing sides derived for this
 -- project.
@@ -9,16 +10,21 @@ module Visibility.Sweep.Sights
   ( Sights (..)
   , Changing
   , startSights
-  , turnThrough
-  , turnPair
+  , outlookFrom
+    -- * Passing vertices
+  , Passage (..)
+  , passing
+  , alongStream
   ) where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
+import qualified Control.Monad.ST.Lazy as Lazy
 import Data.Int (Int32)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Predicate
+import Visibility.Incidence
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (Vertical (..), solid, verticalSweep)
@@ -50,20 +56,57 @@ startSights scene =
     n = cornerCount scene
     vertical = verticalSweep scene
 
--- | Turns the lines of a vertex's corners through it.
-turnThrough :: Scene -> Changing s -> Vertex -> ST s ()
-turnThrough scene sights vertex = case vertex of
-  Vertex (CornerId p) (CornerId q) [] | not (hasSplitEnds scene) -> turnPair scene sights p q
+-- | What a corner sees now.
+outlookFrom :: Changing s -> Int -> ST s Outlook
+outlookFrom sights !c = do
+  back <- M.unsafeRead (backOf sights) c
+  front <- M.unsafeRead (frontOf sights) c
+  above <- M.unsafeRead (nextAbove sights) c
+  pure (Outlook (fromIntegral back) (fromIntegral front) (fromIntegral above))
+{-# INLINE outlookFrom #-}
+
+-- | A corner that passes a vertex, with what it sees just before and just after.
+data Passage = Passage !Int !Outlook !Outlook
+
+-- | Turns the lines of a vertex's corners through it, and tells of their passage, in their order along the line.
+--
+-- /Cost/ O(1) per elementary pair.
+passing :: Scene -> Changing s -> Vertex -> ([Passage] -> ST s a) -> ST s a
+passing scene sights vertex told = case vertex of
+  -- What happens most often has a way of its own: where it is known what is told, it needs no list.
+  Vertex (CornerId p) (CornerId q) [] | not (hasSplitEnds scene) -> do
+    beforeP <- look p
+    beforeQ <- look q
+    landing scene p q (frontOf sights)
+    turnBack scene sights p q
+    afterP <- look p
+    afterQ <- look q
+    told [Passage p beforeP afterP, Passage q beforeQ afterQ]
   _ -> do
+    before <- mapM look line
+    let pairs = vertexPairs scene vertex
     forM_ (reverse pairs) $ \(CornerId p, CornerId q) -> landing scene p q (frontOf sights)
     forM_ pairs $ \(CornerId p, CornerId q) -> turnBack scene sights p q
+    after <- mapM look line
+    told (zipWith3 Passage line before after)
   where
-    pairs = vertexPairs scene vertex
+    look = outlookFrom sights
+    line = [c | CornerId c <- vertexCorners vertex]
+{-# INLINE passing #-}
 
--- | The same for a vertex of two corners, where no wall has split ends.
-turnPair :: Scene -> Changing s -> Int -> Int -> ST s ()
-turnPair scene sights !p !q = landing scene p q (frontOf sights) >> turnBack scene sights p q
-{-# INLINE turnPair #-}
+-- | Goes through a stream of vertices in pieces, lazily: something is told of each piece, and something is handed on
+-- from piece to piece.
+--
+-- /Requires/ that the vertices are passed in their order, piece by piece. /Cost/ O(n log n) to begin with.
+alongStream :: Scene -> (forall s. Changing s -> a -> piece -> ST s (a, b)) -> a -> [piece] -> [b]
+alongStream scene told begin pieces = Lazy.runST $ do
+  sights <- Lazy.strictToLazyST (traverse U.thaw (startSights scene))
+  let go _ [] = pure []
+      go handed (piece : rest) = do
+        (handed', found) <- Lazy.strictToLazyST (told sights handed piece)
+        (found :) <$> go handed' rest
+  go begin pieces
+{-# INLINE alongStream #-}
 
 -- | Turns the backward ray of the second corner of a pair, and the sides between the two.
 turnBack :: Scene -> Changing s -> Int -> Int -> ST s ()

@@ -117,8 +117,8 @@ piece scene (State frozenCut frozenFaces) = runST $ do
   cut <- thaw frozenCut
   faces <- traverse U.thaw frozenFaces
   let turnPast vertex = do
-        cross scene (keeping scene faces) cut vertex
-        forM_ (vertexCorners vertex) $ \(CornerId c) -> bound scene faces cut c
+        line <- cross scene (keeping scene faces) cut vertex
+        forM_ line $ \(c, _) -> bound scene faces cut c
       collect wanted
         | wanted <= (0 :: Int) = pure []
         | otherwise = do

@@ -85,7 +85,7 @@ spec = describe "build" $ do
     facing (Incidence flank back front) = (flank, back, front)
 
 -- | A stretch, or the two parts of one that goes on over the end of the half turn.
-cutAgain :: Complex -> EdgeId -> [(CornerId, Direction, Direction, View)]
+cutAgain :: Complex -> EdgeId -> [(CornerId, Direction, Direction, View Object)]
 cutAgain complex e
   | not (wrapsAround complex e) = [(c, from, to, view)]
   | from == upwards = [(c, downwards, to, readBackwards view)]
@@ -97,7 +97,7 @@ cutAgain complex e
     to = primitive (edgeTo complex e)
     downwards = Direction 0 (-1)
 
-readBackwards :: View -> View
+readBackwards :: View Object -> View Object
 readBackwards view = case view of
   Tangent flank b f -> Tangent (other flank) f b
   Ending Front b -> Ending Back b

@@ -155,7 +155,7 @@ stretchLabels =
         shown _ = ""
 
 -- | The objects at back and front on each quarter of a corner's line under a view.
-demands :: Scene -> CornerId -> View -> [(Quarter, Maybe (Object, Object))]
+demands :: Scene -> CornerId -> View Object -> [(Quarter, Maybe (Object, Object))]
 demands scene c view = zip [AboveBack, AboveFront, BelowBack, BelowFront] $ case view of
   Tangent Above b f -> [Just (b, arriving), Just (leaving, f), Just (b, f), Just (b, f)]
   Tangent Below b f -> [Just (b, f), Just (b, f), Just (b, leaving), Just (arriving, f)]
