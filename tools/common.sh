@@ -19,12 +19,14 @@ cabal() {
   fi
 }
 
-# Writes viscomplex.cabal from package.yaml, if there is hpack and it would be another; without hpack's own version.
+# Writes viscomplex.cabal from package.yaml, if there is hpack and it would say something else, versions of hpack apart.
 describe() {
   local described
   command -v hpack > /dev/null || return 0
-  described=$(hpack package.yaml - | sed -E 's/^(-- This file has been generated .* hpack) version .*/\1./') || return 1
-  [ "$described" = "$(cat viscomplex.cabal 2> /dev/null)" ] || printf '%s\n' "$described" > viscomplex.cabal
+  described=$(hpack package.yaml -) || return 1
+  said() { grep -v '^-- This file has been generated'; }
+  [ "$(said <<< "$described")" = "$(said 2> /dev/null < viscomplex.cabal)" ] ||
+    printf '%s\n' "$described" > viscomplex.cabal
 }
 
 # Where DESCRIBED is set, viscomplex.cabal has been written: two builds at once must not both do it.
