@@ -10,12 +10,11 @@ module Report.Plot
   , plotDrawing
   ) where
 
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (mapMaybe)
 import Data.Text (Text)
-import qualified Data.Text as Text
 import Visibility.Draw.Drawing
 import Visibility.Draw.Legend
-import Visibility.Draw.Scale (thinned)
+import Visibility.Draw.Scale (decimalText, thinned)
 
 -- | What is plotted.
 data Plot = Plot
@@ -178,9 +177,7 @@ rulerFor scale values = case scale of
     step = 10 ^ power :: Double
     count' = max 1 (ceiling (largest / step)) :: Int
     end = fromIntegral count' * step
-    multiple k
-      | k == 0 || power <= 3 = Text.pack (show (k * 10 ^ power))
-      | otherwise = Text.pack (show k <> "e" <> show power)
+    multiple k = decimalText (fromIntegral k * 10 ^ power)
     multiples = [inset (fromIntegral k / fromIntegral count') | k <- [0 .. count']]
     inset part = 0.015 + 0.97 * part
 
@@ -209,14 +206,9 @@ roundNumbers values
           above = [r | r <- all', exponent10 r >= most]
        in drop (length below - 1) below <> inside <> take 1 above
 
--- | In figures as far as these are short, else as a power of ten.
+-- | As all figures have numbers.
 roundText :: Round -> Text
-roundText (Round m k)
-  | k >= 0 && k <= 3 = Text.pack (show (m * 10 ^ k))
-  | k < 0 && k >= -3 = Text.pack ("0." <> replicate (negate k - 1) '0' <> show m)
-  | otherwise = Text.pack ((if m == 1 then "" else show m <> "·") <> "10" <> map raised (show k))
-  where
-    raised c = fromMaybe c (lookup c (zip "-0123456789" "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+roundText (Round m k) = decimalText (fromIntegral m * 10 ^^ k)
 
 marker :: Series -> Place -> [Mark]
 marker s (Place x y) = map (Mark (seriesName s) (seriesStyle s)) shapes
