@@ -5,6 +5,7 @@ module Report.PlotSpec (spec) where
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Report.Plot
 

@@ -18,6 +18,7 @@ import Visibility.Complex.Law (Law (..), checked)
 import Visibility.Complex.Polygons
 import Visibility.Complex.Type
 import Visibility.Count
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Scene (sceneDrawing)

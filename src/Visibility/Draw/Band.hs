@@ -14,6 +14,7 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import Visibility.Draw.Drawing
 import Visibility.Draw.Near
+import Visibility.Draw.Scenery (freeCone, heading)
 import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 
@@ -48,8 +49,8 @@ slopesInwards strip = [slope | Inwards slope <- [startCut strip, endCut strip]]
 -- objects have no gaps.
 -- Where something is in front of the side, the strip takes at most half of the way there.
 --
--- /Degenerate cases/ what touches the side's ends is not in front of it: the bisector lies between. Sides that are no
--- longer than the least difference of places have strips without area.
+-- /Degenerate cases/ what touches the side's ends is not in front of it: the bisector lies between. A side that is too
+-- short to be seen still has its exact direction, and so has its strip.
 --
 -- /Requires/ a width of more than 0. /Cost/ O(n log n), times the number of sides that are nearer to one than twice the
 -- width. /Laws/ a strip does not cross into the solid; only what is so near makes a difference.
@@ -86,7 +87,7 @@ data Around = Around
 stripOf :: Around -> SideId -> Strip
 stripOf around side =
   Strip
-    { stripStart = from
+    { stripStart = place start
     , stripAlong = along
     , stripLong = long
     , stripWide = wide
@@ -96,11 +97,7 @@ stripOf around side =
   where
     (scene, place, most) = (theScene around, placeIn around, mostWide around)
     (start, end) = (sideStart side, sideEnd scene side)
-    (from@(Place x0 y0), Place x1 y1) = (place start, place end)
-    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
-    along
-      | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
-      | otherwise = (0, 0)
+    (along, long) = heading scene place start end
     wide = roomOf around side
     -- By the corner that the neighbour starts at. Where its band is of another width, going on would leave a spike.
     cutAt corner (CornerId neighbour)
@@ -113,7 +110,7 @@ stripOf around side =
         Beyond (tan ((angle - pi) / 2))
       | otherwise = Square
       where
-        angle = freeAngle place (previousCorner scene corner) corner (nextCorner scene corner)
+        (_, angle) = freeCone scene place corner
         farFrom at@(CornerId c) other =
           any (samePlace scene at) [p, q]
             || turn (scenePoints scene) p' q' c == LeftTurn
@@ -127,17 +124,14 @@ roomBeside around side = minimum (mostWide around : map (/ 2) (concatMap inFront
   where
     (scene, place) = (theScene around, placeIn around)
     (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
-    (Place x0 y0, Place x1 y1) = (place start, place end)
-    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
-    (ux, uy)
-      | long > 0 = ((x1 - x0) / long, (y1 - y0) / long)
-      | otherwise = (0, 0)
+    Place x0 y0 = place start
+    ((ux, uy), long) = heading scene place start end
 
     -- How far in front of the side another one is, where it is. What is behind is decided exactly: the other face of
-    -- a wall is in the same place.
+    -- a wall is in the same place. What rounding puts a little behind or beside may be in front.
     inFront other
       | other == side || any touches ends || not (any isRight ends) = []
-      | otherwise = [max 0 (min h h') | (h, h') <- between (local (place p)) (local (place q)), max h h' > 0]
+      | otherwise = [max 0 (min h h') | (h, h') <- beside (local (place p)) (local (place q)), max h h' > -slight]
       where
         (p, q) = (sideStart other, sideEnd scene other)
         ends = [p, q]
@@ -145,13 +139,14 @@ roomBeside around side = minimum (mostWide around : map (/ 2) (concatMap inFront
     isRight (CornerId c) = turn (scenePoints scene) a b c == RightTurn
     local (Place x y) = ((x - x0) * ux + (y - y0) * uy, (x - x0) * uy - (y - y0) * ux)
     -- The heights at the ends of the part of a segment that is beside the side.
-    between (s, h) (s', h')
-      | max s s' < 0 || min s s' > long = []
+    beside (s, h) (s', h')
+      | max s s' < -slight || min s s' > long + slight = []
       | s == s' = [(h, h')]
       | otherwise = [(at (kept s), at (kept s'))]
       where
         kept = max 0 . min long
-        at t = h + (h' - h) * (t - s) / (s' - s)
+        at t = h + (h' - h) * max 0 (min 1 ((t - s) / (s' - s)))
+    slight = 1e-9
 
 -- | How far a place is from a segment.
 distance :: Place -> Place -> Place -> Double
@@ -162,13 +157,6 @@ distance (Place x y) (Place px py) (Place qx qy) = sqrt (squared (x - px - t * d
     t
       | squared dx dy > 0 = max 0 (min 1 (((x - px) * dx + (y - py) * dy) / squared dx dy))
       | otherwise = 0
-
--- | How wide free space is at a corner, from the preceding side counter-clockwise to the following one.
-freeAngle :: (CornerId -> Place) -> CornerId -> CornerId -> CornerId -> Double
-freeAngle place before corner after = let a = bearing after - bearing before in if a <= 0 then a + 2 * pi else a
-  where
-    Place x y = place corner
-    bearing c = let Place x' y' = place c in atan2 (y' - y) (x' - x)
 
 -- | A place by the distance along the side and that out into free space.
 outwardPlace :: Strip -> Double -> Double -> Place

@@ -23,6 +23,7 @@ import qualified Data.Text as Text
 import qualified Data.Vector.Unboxed as U
 import Visibility.Count (Counts (..), count)
 import Visibility.Draw.Drawing
+import Visibility.Draw.Figure
 import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
@@ -50,29 +51,23 @@ import Visibility.View
 -- vertical one; all points of a curve satisfy its equation.
 dualDrawing :: Scene -> [Event] -> Drawing
 dualDrawing scene stream =
-  Drawing
-    { drawingTitle = title
-    , drawingDescription =
-        "The visibility complex in the dual, angle θ against offset u: "
-          <> Text.intercalate ", " (facts <> origin)
-          <> "."
-    , drawingWidth = canvasWidth
-    , drawingHeight = canvasHeight
-    , drawingLayers =
-        filter
-          (not . null . layerMarks)
-          [ Layer "frame" Sparse axes
-          , Layer "buried" curveDensity (map curveMark (curvesIn BuriedCurve))
-          , Layer "ending" curveDensity (map curveMark (curvesIn EndingCurve))
-          , Layer "tangent" curveDensity (map curveMark (curvesIn TangentCurve))
-          , Layer "vertices" dotDensity dots
-          , Layer "leaders" Sparse leaders
-          , Layer "labels" Sparse labels
-          , Layer "legend" Sparse (titleMark : legendMarks <> captions)
-          ]
-    }
+  pageDrawing
+    (scenePage ("Dual of " <> fromMaybe "an untitled scene" (sceneTitle scene)) (top + 48))
+      { pageAbout = "The visibility complex in the dual, angle θ against offset u: "
+      , pageFacts = map (shortened Caption (right - left)) (facts <> countedUnlabelled unlabelled <> origin)
+      , pageAcross = (left, right)
+      , pageTop = 26
+      , pageEntries = entries
+      , pageLegend = (legendTop, right - left)
+      , pageCaption = pageBelow legendTop (right - left) entries
+      , pageLayers =
+          [Layer "frame" Sparse axes]
+            <> [ Layer name curveDensity (map curveMark (curvesIn style))
+               | (name, style) <- [("buried", BuriedCurve), ("ending", EndingCurve), ("tangent", TangentCurve)]
+               ]
+            <> [Layer "vertices" dotDensity dots, Layer "leaders" Sparse leaders, Layer "labels" Sparse labels]
+      }
   where
-    title = "Dual of " <> fromMaybe "an untitled scene" (sceneTitle scene)
     frame = frameFor scene stream
     -- A corner's edges come in order whatever the sweep, corners do not.
     allEdges = sortOn edgeCorner (stretches scene stream)
@@ -113,31 +108,25 @@ dualDrawing scene stream =
         , clearance = 2.5
         }
 
-    counts = count scene stream
-    titleMark =
-      plain FigureTitle $
-        Label StartAnchor (Place left (canvasHeight - 26)) (shortened FigureTitle (right - left) title)
-    legendMarks = legend left legendTop (right - left) entries
     legendTop = bottom - 44
     entries =
       [ Entry (lineSwatch [style]) text
       | (style, text) <- [(TangentCurve, "tangent at the corner"), (EndingCurve, "ending"), (BuriedCurve, "buried")]
       , not (null (curvesIn style))
       ]
-        <> [Entry (dotSwatch VertexDot) "vertex" | any ((== VertexDot) . markStyle) dots]
-        <> [ Entry (dotSwatch DegenerateVertexDot) "degenerate vertex"
-           | any ((== DegenerateVertexDot) . markStyle) dots
+        <> [ Entry (dotSwatch style) text
+           | (style, text) <- [(VertexDot, "vertex"), (DegenerateVertexDot, "degenerate vertex")]
+           , any ((== style) . markStyle) dots
            ]
-    captions =
-      captionLines left (legendTop - legendHeight (right - left) entries - 15) (right - left) $
-        facts <> missing <> map (shortened Caption (right - left)) origin
+    counts = count scene stream
     facts =
       [ counted (length (statedCorners scene)) "corner" "corners"
       , countedVertices (vertexCount counts) (degenerateCount counts)
       , counted (edgeCount counts) "edge" "edges"
       , counted (faceCount counts) "face" "faces"
       ]
-    missing = countedUnlabelled unlabelled
+        <> mergedFact pixel (map snd (statedCorners scene))
+    pixel = frameUnit frame * toRational ((frameHigh frame - frameLow frame) / (top - bottom))
     origin =
       [ "u measured from (" <> decimalText x <> "; " <> decimalText y <> ")"
       | Point x y <- [frameOrigin frame]
@@ -151,10 +140,6 @@ curveStyle view = case view of
   Tangent {} -> TangentCurve
   Ending _ _ -> EndingCurve
   Buried _ -> BuriedCurve
-
-canvasWidth, canvasHeight :: Double
-canvasWidth = 800
-canvasHeight = 580
 
 plot :: Box
 plot = Box 84 112 780 532

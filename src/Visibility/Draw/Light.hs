@@ -11,6 +11,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Visibility.Draw.Matrix (Group (..), Matrix (..), factorMatrix, withSky)
 import Visibility.Draw.Radiosity (LitElement (..), RadiosityFigure (..))
+import Visibility.Draw.Scale (decimalText, roundStep)
 import Visibility.Draw.Values (Scaling)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (nearestDouble)
@@ -45,10 +46,12 @@ elementMatrix cut rows =
       TheSky -> seenText TheSky
 
 -- | The radiosities of elements, each the Double nearest to the middle of its bounds, with profiles along some sides.
+--
+-- /Degenerate cases/ where all are too small for Doubles, or some too large, they are in units that the figure names.
 lightFigure :: Scaling -> [SideName] -> Refined -> Radiosity -> RadiosityFigure
 lightFigure scaling profiles cut found =
   RadiosityFigure
-    { radiosityQuantity = "radiosity"
+    { radiosityQuantity = "radiosity" <> unitText
     , radiosityScaling = scaling
     , radiosityProfiles = profiles
     , radiosityElements = map lit (litElements found)
@@ -60,5 +63,10 @@ lightFigure scaling profiles cut found =
         , litFrom = elementFrom (litElement l)
         , litTo = elementTo (litElement l)
         , litEnds = elementEnds cut (litElement l)
-        , litValue = let (low, high) = litRadiosity l in nearestDouble (RootSum.rational ((low + high) / 2))
+        , litValue = nearestDouble (RootSum.rational (middle l / unit))
         }
+    middle l = let (low, high) = litRadiosity l in (low + high) / 2
+    greatest = maximum (0 : map middle (litElements found))
+    (unit, unitText)
+      | greatest == 0 || (1e-300 < greatest && greatest < 1e300) = (1, "")
+      | otherwise = let step = roundStep greatest in (step, " in units of " <> decimalText step)

@@ -20,9 +20,10 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showFFloat)
 import Visibility.Draw.Drawing
+import Visibility.Draw.Figure
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
-import Visibility.Draw.Scenery (canvasWidth, sideMargin, titleMark)
+import Visibility.Draw.Scenery (canvasWidth, sideMargin)
 import Visibility.Draw.Values
 import Visibility.FormFactor (FactorRow (..))
 import Visibility.Scene
@@ -96,24 +97,20 @@ withSky scene groups = groups <> [Group "sky" "sky" [TheSky] | surroundings scen
 -- value is not lighter; no line crosses a cell; lines are at least six pixels apart; no label covers anything.
 matrixDrawing :: Ord thing => Matrix thing -> Drawing
 matrixDrawing matrix =
-  Drawing
-    { drawingTitle = matrixTitle matrix
-    , drawingDescription =
-        "A matrix with a square for each entry that is not zero, the darker the larger: "
-          <> Text.intercalate ", " facts
-          <> "."
-    , drawingWidth = canvasWidth
-    , drawingHeight = height
-    , drawingLayers =
-        filter (not . null . layerMarks) $
+  pageDrawing
+    (scenePage (matrixTitle matrix) (top + 30 + 40 + 14))
+      { pageAbout = "A matrix with a square for each entry that is not zero, the darker the larger: "
+      , pageFacts = facts
+      , pageExtras = barTexts <> blankMarks
+      , pageCaption = 10 + rowHeight * (captionRows - 1)
+      , pageLayers =
           [ Layer "groups" Sparse (map groupLine (lineGaps columns) <> map groupLineAcross (lineGaps rows))
           , Layer "cells" (densityOf (length cells)) cells
           , Layer "frame" Sparse [plain Axis (boxRegion (Box left bottom right top))]
           , Layer "labels" Sparse (labels <> axisTitles)
           , Layer "bar" Sparse barCells
-          , Layer "legend" Sparse (titleMark height (matrixTitle matrix) : barMarks <> blankMarks <> captions)
           ]
-    }
+      }
   where
     entries = matrixEntries matrix
     values = [value | (_, _, value) <- entries]
@@ -135,7 +132,6 @@ matrixDrawing matrix =
     right = left + across columns
     bottom = footHeight
     top = bottom + across rows
-    height = top + 30 + 40 + 14
 
     cells = map snd (sortOn fst [(shade, cellMark shade at) | (at, shade) <- placed])
     placed =
@@ -171,16 +167,11 @@ matrixDrawing matrix =
       , plain AxisTitle (Label EndAnchor (Place (left - 5) (top + 22)) "from")
       ]
 
-    captionWidth = canvasWidth - 2 * sideMargin
-    captionRows = captionLines sideMargin 14 captionWidth facts
-    footHeight = 14 + rowHeight * fromIntegral (length captionRows) + 44
-    barTop = footHeight - 14
-    (barLeft, barBottom) = (sideMargin + 110, barTop - 12)
-    (barCells, barTicks) = colourBar MoreIsDarker scale (Box barLeft barBottom (barLeft + 404) barTop)
-    barName = shortened Caption 100 (matrixQuantity matrix)
-    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barBottom + 2)) barName) : barTicks
+    captionRows = fromIntegral (length (captionLines 0 0 (canvasWidth - 2 * sideMargin) facts))
+    footHeight = 14 + rowHeight * captionRows + 44
+    (barTop, barLeft) = (footHeight - 14, sideMargin + 110)
+    (barCells, barTexts) = barMarks (Bar (matrixQuantity matrix) MoreIsDarker scale) barTop 100 (const barLeft)
     blankMarks = legend (barLeft + 404 + 50) (barTop + 3.5) 200 [Entry (regionSwatch Axis) "exactly 0"]
-    captions = captionLines sideMargin (14 + rowHeight * fromIntegral (length captionRows - 1) - 4) captionWidth facts
     facts =
       [ Text.pack (show (total (matrixRows matrix))) <> " " <> matrixThings matrix <> " in "
           <> Text.pack (show (length (matrixRows matrix)))
@@ -189,9 +180,12 @@ matrixDrawing matrix =
       , counted (length entries) "entry is not 0" "entries are not 0"
           <> " (" <> percentage (length entries) (total (matrixRows matrix) * total (matrixColumns matrix)) <> ")"
       ]
-        <> [ "from " <> shortNumber (minimum values) <> " to " <> shortNumber (maximum values)
+        <> [ "from " <> least (minimum values) <> " to " <> shortNumber (maximum values)
            | not (null values)
            ]
+
+    -- What is no 0 and rounds to it.
+    least v = if v > 0 then shortNumber v else "less than 5e−324"
 
 -- | Room for labels to the left, room between the frame and the cells.
 leftMargin, inset :: Double

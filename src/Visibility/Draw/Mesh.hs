@@ -6,12 +6,11 @@ module Visibility.Draw.Mesh
   , meshDrawing
   ) where
 
-import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as V
 import Visibility.Draw.Drawing
-import Visibility.Draw.Labels
+import Visibility.Draw.Figure
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
@@ -39,85 +38,46 @@ data CastingLines = WithLines | WithoutLines
 -- label.
 meshDrawing :: CastingLines -> Mesh -> Drawing
 meshDrawing wanted mesh =
-  Drawing
-    { drawingTitle = title
-    , drawingDescription =
-        "Polygons of the scene and the break points of their sides: " <> Text.intercalate ", " facts <> "."
-    , drawingWidth = canvasWidth
-    , drawingHeight = top + 40
-    , drawingLayers =
-        filter (not . null . layerMarks) $
-          groundLayers scene frame
-            <> [ Layer "lines" (densityOf (length castingLines)) castingLines
-               , Layer "polygons" (polygonDensity scene) polygons
-               , Layer "breaks" (densityOf (length breaks)) breaks
-               , Layer "flat-corners" Sparse flatCorners
-               , Layer "leaders" Sparse leaders
-               , Layer "labels" Sparse labels
-               , Layer "legend" Sparse (titleMark (top + 40) title : legendMarks <> scaleBar <> captions)
+  planeDrawing scene $
+    scenePlane
+      { planeTitle = titleAfter "Break points" scene
+      , planeAbout = "Polygons of the scene and the break points of their sides: "
+      , planeFacts =
+          counted (length points) "break point" "break points"
+            : [ counted k one many
+              | (kind, one, many) <-
+                  [(Just ShadowLimit, "shadow limit", "shadow limits"), (Just Kink, "kink", "kinks")]
+              , let k = length (filter (== kind) kinds)
+              , k > 0
+              ]
+      , planeEntries =
+          fst (sceneryEntries scene)
+            <> [ Entry (lineSwatch [tickStyle kind]) (kindName kind)
+               | kind <- [Just ShadowLimit, Just Kink, Nothing]
+               , kind `elem` kinds
                ]
-    }
+            <> [ Entry (lineSwatch [lineStyle kind]) ("line of a " <> kindName (Just kind))
+               | wanted == WithLines
+               , kind <- [ShadowLimit, Kink]
+               , kind `elem` map casterKind (concatMap (breakCasters . snd) points)
+               ]
+      , planeSheets = \frame ->
+          let castingLines = case wanted of
+                WithoutLines -> []
+                WithLines -> concatMap (lineMarks scene frame . snd) points
+              breaks = [breakMark scene frame piece side p | (side, p) <- points, piece <- spanOf side]
+           in [ Sheet Crossable "lines" (densityOf (length castingLines)) castingLines
+              , polygonSheet scene frame
+              , Sheet Solid "breaks" (densityOf (length breaks)) breaks
+              , Sheet Ground "flat-corners" Sparse (flatCornerMarks scene frame)
+              ]
+      }
   where
     scene = meshScene mesh
-    title = "Break points: " <> fromMaybe "untitled scene" (sceneTitle scene)
-    frame = frameFor foot scene []
-    top = frameHeight frame + foot
     points = [(side, point) | side <- sides scene, point <- breaksOn mesh side]
-    polygons = polygonMarks scene frame
     spans = pieceSpans scene
-    breaks = [breakMark scene frame piece side p | (side, p) <- points, piece <- spanOf side]
-    castingLines = case wanted of
-      WithoutLines -> []
-      WithLines -> concatMap (lineMarks scene frame . snd) points
     spanOf (SideId s) = maybe [] pure (spans V.!? s)
-    flatCorners = flatCornerMarks scene frame
-
-    underneath = concatMap wideLines castingLines
-    scenery =
-      Obstruction
-        { canvas = frameOutside frame
-        , lightLines = underneath
-        , walls = concatMap wideLines (polygons <> breaks)
-        , taken = dotBoxes flatCorners
-        , clearance = 1.5
-        }
-    (labels, leaders, unlabelled)
-      | fewCorners scene = placeLabels scenery (cornerRequests scene frame)
-      | otherwise = (mapMaybe inside (scenePolygons scene), [], [])
-    inside = polygonLabel (placeOfPoint scene frame) underneath
-
     kinds = map (breakKind . snd) points
-    facts = stated <> countedUnlabelled unlabelled
-    stated =
-      counted (length points) "break point" "break points"
-        : [ counted k one many
-          | (kind, one, many) <-
-              [(Just ShadowLimit, "shadow limit", "shadow limits"), (Just Kink, "kink", "kinks")]
-          , let k = length (filter (== kind) kinds)
-          , k > 0
-          ]
-    entries =
-      fst (sceneryEntries scene)
-        <> [ Entry (lineSwatch [tickStyle kind]) (kindName kind)
-           | kind <- [Just ShadowLimit, Just Kink, Nothing]
-           , kind `elem` kinds
-           ]
-        <> [ Entry (lineSwatch [lineStyle kind]) ("line of a " <> kindName (Just kind))
-           | wanted == WithLines
-           , kind <- [ShadowLimit, Kink]
-           , kind `elem` map casterKind (concatMap (breakCasters . snd) points)
-           ]
-
-    -- How much room the foot takes must be known before there are labels.
-    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (stated <> doubtful)) + 9)
-    doubtful = if fewCorners scene then countedUnlabelled (corners scene) else []
-    captionRows = length . captionLines 0 0 captionWidth
-    legendRows = legendHeight legendWidth entries
-    (legendTop, legendWidth) = (foot - 6, captionWidth - 150)
-    legendMarks = legend sideMargin legendTop legendWidth entries
-    captions = captionLines sideMargin (legendTop - legendRows - 15) captionWidth facts
-    captionWidth = canvasWidth - 2 * sideMargin
-    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
 
 -- | A short line from a break point into free space.
 breakMark :: Scene -> Frame -> Span -> SideId -> BreakPoint -> Mark

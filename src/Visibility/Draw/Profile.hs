@@ -23,7 +23,7 @@ data Profile = Profile
   -- ^ What the horizontal axis tells.
   , profileUpwards :: !Text
   -- ^ What the values are.
-  , profileLength :: !Double
+  , profileLength :: !Rational
   -- ^ Of the side, in the file's units.
   , profileSteps :: ![Step]
   }
@@ -91,8 +91,8 @@ profilePanel shade values left top width profile =
     flat step = [Place (along (stepFrom step)) (height step), Place (along (stepTo step)) (height step)]
     breaks = Set.fromList [s | step <- steps, s <- [stepFrom step, stepTo step], s > 0, s < 1]
     breakMark s = plain Tick (Polyline [Place (along s) b, Place (along s) (b + 4)])
-    distances = ticksAcross (r - l) (fitted Linear [profileLength profile])
-    heights = ticks 4 values
+    distances = ticksAcross (r - l) (evenTicks (profileLength profile))
+    heights = ticks values 4
 
 -- | Steps that follow each other without a gap.
 runs :: [Step] -> [[Step]]

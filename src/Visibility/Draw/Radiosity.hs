@@ -9,12 +9,13 @@ module Visibility.Draw.Radiosity
 
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Band
 import Visibility.Draw.Drawing
+import Visibility.Draw.Figure
 import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Profile
@@ -22,6 +23,7 @@ import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
 import Visibility.Draw.Values
 import Visibility.Exact.Point (Point)
+import Visibility.Exact.RootSum (asRational, enclosureRelative)
 import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor (sideLength)
 import Visibility.Mesh.Span (parameterOn)
@@ -71,30 +73,25 @@ data LitElement = LitElement
 -- covers anything; nothing leaves the canvas.
 radiosityDrawing :: Scene -> RadiosityFigure -> Drawing
 radiosityDrawing scene figure =
-  Drawing
-    { drawingTitle = title
-    , drawingDescription = title <> ", the brighter the more: " <> Text.intercalate ", " facts <> "."
-    , drawingWidth = canvasWidth
-    , drawingHeight = height
-    , drawingLayers =
-        filter (not . null . layerMarks) $
-          groundLayers scene frame
-            <> [ Layer "bands" (densityOf (length bands)) bands
-               , Layer "edges" (polygonDensity scene) edges
-               , Layer "polygons" (polygonDensity scene) polygons
-               , Layer "lights" (polygonDensity scene) rays
-               , Layer "leaders" Sparse leaders
-               , Layer "labels" Sparse (inside <> labels)
-               , Layer "areas" Sparse (concatMap panelAreas panels)
-               , Layer "profiles" Sparse (concatMap panelLines panels)
-               , Layer "axes" Sparse (concatMap panelAxes panels)
-               , Layer "ticks" Sparse (concatMap panelLabels panels)
-               , Layer "bar" Sparse barCells
-               , Layer "legend" Sparse (titleMark height title : legendMarks <> scaleBar <> barMarks <> captions)
-               ]
-    }
+  planeDrawing scene $
+    scenePlane
+      { planeTitle = title
+      , planeAbout = title <> ", the brighter the more: "
+      , planeFacts = facts
+      , planeEntries =
+          fst (sceneryEntries scene) <> [Entry raySwatch "light source" | not (null (snd (sceneryEntries scene)))]
+      , planeNaming = PolygonsAnd (\frame -> map (sideRequest scene (stripsIn frame)) chosen)
+      , planeBar = Just (Bar quantity MoreIsBrighter scale)
+      , planeRoom = panelHeight * fromIntegral (length chosen)
+      , planeBelow =
+          [ Layer name Sparse (concatMap marks panels)
+          | (name, marks) <-
+              [("areas", panelAreas), ("profiles", panelLines), ("axes", panelAxes), ("ticks", panelLabels)]
+          ]
+      , planeSheets = sheets
+      }
   where
-    title = capital quantity <> ": " <> fromMaybe "untitled scene" (sceneTitle scene)
+    title = titleAfter (capital quantity) scene
     capital text = Text.toUpper (Text.take 1 text) <> Text.drop 1 text
     quantity = radiosityQuantity figure
     found = radiosityElements figure
@@ -103,69 +100,45 @@ radiosityDrawing scene figure =
     scale = fitted (radiosityScaling figure) counting
     shade = shadeOf MoreIsBrighter scale
     beyond = maximum (0 : map litValue shown)
-    frame = frameFor foot scene []
-    place = placeOf scene frame
-    polygons = polygonMarks scene frame
 
-    strips = stripsOf scene place bandWidth
+    stripsIn frame = stripsOf scene (placeOf scene frame) bandWidth
     lit = [(element, piece, part) | element <- found, (piece, part) <- uncoveredParts scene element]
     -- In order along the sides, each a little below the next, since viewers smooth edges and would leave seams.
     inOrder = sortOn (\(_, piece, (from, _)) -> (piece, from)) lit
-    bands =
-      [ Mark (Text.pack (sideText (litSide element))) (Band (shade (litValue element))) $
-          Region (stripPart strip (fromRational from) (belowNext strip (fromRational to)))
-      | (element, piece, (from, to)) <- inOrder
-      , Just strip <- [Map.lookup piece strips]
+    sheets frame =
+      [ Sheet Ground "bands" (densityOf (length bands)) bands
+      , Sheet Solid "edges" (polygonDensity scene) edges
+      , polygonSheet scene frame
+      , Sheet Solid "lights" (polygonDensity scene) rays
       ]
-    edges =
-      [ Mark (Text.pack (sideText (sideName scene piece))) BandEdge (Region (stripOutline strip))
-      | piece <- Map.keys (Map.fromList [(piece, ()) | (_, piece, _) <- lit])
-      , Just strip <- [Map.lookup piece strips]
-      ]
-    rays =
-      [ Mark (Text.pack (sideText (sideName scene side))) LightRay (Polyline ray)
-      | (side, strip) <- Map.toList strips
-      , emission (sideMaterial scene side) > 0
-      , ray <- stripRays bandWidth strip
-      ]
+      where
+        strips = stripsIn frame
+        bands =
+          [ Mark (Text.pack (sideText (litSide element))) (Band (shade (litValue element))) $
+              Region (stripPart strip (fromRational from) (belowNext strip (fromRational to)))
+          | (element, piece, (from, to)) <- inOrder
+          , Just strip <- [Map.lookup piece strips]
+          ]
+        edges =
+          [ Mark (Text.pack (sideText (sideName scene piece))) BandEdge (Region (stripOutline strip))
+          | piece <- Map.keys (Map.fromList [(piece, ()) | (_, piece, _) <- lit])
+          , Just strip <- [Map.lookup piece strips]
+          ]
+        rays =
+          [ Mark (Text.pack (sideText (sideName scene side))) LightRay (Polyline ray)
+          | (side, strip) <- Map.toList strips
+          , emission (sideMaterial scene side) > 0
+          , ray <- stripRays bandWidth strip
+          ]
 
-    -- Labels of polygons are inside them, where no band is.
-    inside = mapMaybe (polygonLabel (placeOfPoint scene frame) []) (scenePolygons scene)
-    obstruction =
-      Obstruction
-        { canvas = frameOutside frame
-        , lightLines = []
-        , walls = concatMap wideLines (polygons <> edges <> rays)
-        , taken = [box | Just box <- map textBox inside]
-        , clearance = 1.5
-        }
-    (labels, leaders, _) = placeLabels obstruction (map (sideRequest scene strips) chosen)
     chosen = [side | side <- radiosityProfiles figure, Just _ <- [piecesOf scene side]]
-
     panels =
-      [ profilePanel shade panelScale sideMargin (panelsTop - panelHeight * k) (canvasWidth - 2 * sideMargin) profile
-      | (k, profile) <- zip [0 ..] profiles
+      [ profilePanel shade panelScale sideMargin top (canvasWidth - 2 * sideMargin) (profileOf scene figure side)
+      | (k, side) <- zip [0 ..] chosen
+      , let top = panelHeight * (fromIntegral (length chosen) - k)
       ]
     -- One scale for all panels, so that they can be compared; lamps elsewhere do not press them down.
     panelScale = fitted (radiosityScaling figure) [litValue e | e <- found, litSide e `elem` chosen]
-    profiles = map (profileOf scene figure) chosen
-
-    height = frameHeight frame + foot + 40
-    captionWidth = canvasWidth - 2 * sideMargin
-    legendWidth = captionWidth - 150
-    entries = fst (sceneryEntries scene) <> [Entry raySwatch "light source" | not (null (snd (sceneryEntries scene)))]
-    captionRows = length (captionLines 0 0 captionWidth facts)
-    foot = panelsTop + rowHeight * fromIntegral captionRows + 56 + legendHeight legendWidth entries
-    legendTop = foot - 6
-    legendMarks = legend sideMargin legendTop legendWidth entries
-    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
-    barTop = legendTop - legendHeight legendWidth entries - 8
-    barName = shortened Caption 200 quantity
-    barLeft = sideMargin + textWidth Caption barName + 12
-    (barCells, barTicks) = colourBar MoreIsBrighter scale (Box barLeft (barTop - 12) (barLeft + 404) barTop)
-    barMarks = plain Caption (Label StartAnchor (Place sideMargin (barTop - 10)) barName) : barTicks
-    captions = captionLines sideMargin (barTop - 46) captionWidth facts
-    panelsTop = panelHeight * fromIntegral (length chosen)
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"
       , counted (length found) "element" "elements"
@@ -239,7 +212,10 @@ profileOf scene figure side =
     { profileName = name
     , profileAcross = "distance along side " <> name
     , profileUpwards = radiosityQuantity figure
-    , profileLength = nearestDouble (sideLength scene side)
+    , profileLength =
+        if 1e-15 < near && near < 1e15
+          then toRational near
+          else fromMaybe (fst (enclosureRelative 64 long)) (asRational long)
     , profileSteps =
         [ Step (litFrom e) (litTo e) (litValue e)
         | e <- radiosityElements figure
@@ -248,3 +224,5 @@ profileOf scene figure side =
     }
   where
     name = Text.pack (sideText side)
+    long = sideLength scene side
+    near = nearestDouble long

@@ -15,13 +15,16 @@ module Visibility.Draw.Scale
   , counted
   , countedVertices
   , countedUnlabelled
+  , mergedFact
   ) where
 
 import Data.Bits (shiftR)
 import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Exact.IntegerRoot (bitLength)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..))
 
 -- | The largest of 1, 2 and 5 times a power of ten that is at most the argument.
@@ -120,3 +123,26 @@ countedUnlabelled :: [a] -> [Text]
 countedUnlabelled [] = []
 countedUnlabelled missing =
   [counted (length missing) "corner without room for its label" "corners without room for their labels"]
+
+-- | What a figure says of corners that it cannot tell apart, by the size of a pixel in the units of the points.
+--
+-- Places are told apart to a hundredth of a pixel. A scene may have parts that differ by more, as two corners that are
+-- 1 apart where others are at 10^72. Coordinates are taken relative to the scene's box before they are rounded, so such
+-- corners fall together in one place and nothing else moves. Whether something lies left or right, in front or behind
+-- is never read off places: that is decided by the exact coordinates.
+--
+-- /Laws/ nothing is said where all places are different. /Cost/ O(n log n).
+mergedFact :: Rational -> [Point] -> [Text]
+mergedFact pixel points
+  | merged == 0 = []
+  | otherwise =
+    [ counted merged "corner drawn in the place of another" "corners drawn in the places of others"
+        <> Text.pack ", less than "
+        <> decimalText (roundStep (2 * seen))
+        <> Text.pack " away"
+    ]
+  where
+    seen = pixel / 100
+    merged = Set.size (Set.fromList points) - Set.size (Set.fromList (map place points))
+    (left, bottom) = (minimum [x | Point x _ <- points], minimum [y | Point _ y <- points])
+    place (Point x y) = (round ((x - left) / seen), round ((y - bottom) / seen)) :: (Integer, Integer)

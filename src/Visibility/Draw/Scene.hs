@@ -6,10 +6,10 @@ module Visibility.Draw.Scene
   ) where
 
 import Data.List (foldl', sort)
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
-import Visibility.Draw.Labels
+import Visibility.Draw.Figure
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
@@ -32,61 +32,26 @@ import Visibility.View
 -- no label covers a line, an outline or another label.
 sceneDrawing :: Scene -> [Vertex] -> Drawing
 sceneDrawing scene vertices =
-  Drawing
-    { drawingTitle = title
-    , drawingDescription = "Polygons of the scene and its free bitangents: " <> Text.intercalate ", " facts <> "."
-    , drawingWidth = width
-    , drawingHeight = height
-    , drawingLayers =
-        filter (not . null . layerMarks) $
-          groundLayers scene frame
-            <> [ Layer "bitangents" (densityOf (length bitangents)) bitangents
-               , Layer "polygons" (polygonDensity scene) polygons
-               , Layer "lights" (polygonDensity scene) lights
-               , Layer "flat-corners" Sparse flatCorners
-               , Layer "leaders" Sparse leaders
-               , Layer "labels" Sparse labels
-               , Layer "legend" Sparse (titleMark height title : legendMarks <> scaleBar <> caption)
-               ]
-    }
+  planeDrawing scene $
+    scenePlane
+      { planeTitle = fromMaybe "Untitled scene" (sceneTitle scene)
+      , planeAbout = "Polygons of the scene and its free bitangents: "
+      , planeFacts = facts
+      , planeEntries =
+          polygonEntries <> [Entry (lineSwatch [Bitangent]) "free bitangent" | not (null bitangents)] <> lightEntries
+      , planeSheets = \frame ->
+          [ Sheet Crossable "bitangents" (densityOf (length bitangents)) $
+              map (bitangentMark (placeOf scene frame)) bitangents
+          , polygonSheet scene frame
+          , Sheet Crossable "lights" (polygonDensity scene) (lightsOf scene frame)
+          , Sheet Ground "flat-corners" Sparse (flatCornerMarks scene frame)
+          ]
+      }
   where
-    title = fromMaybe "Untitled scene" (sceneTitle scene)
-    frame = frameFor standardFoot scene []
-    place = placeOf scene frame
-    bitangents =
-      [ Mark (nameOf p <> " " <> nameOf q) Bitangent (Polyline [place p, place q])
-      | (p, q) <- sort (concatMap (freeBitangents scene) vertices)
-      ]
+    bitangents = sort (concatMap (freeBitangents scene) vertices)
+    bitangentMark place (p, q) = Mark (nameOf p <> " " <> nameOf q) Bitangent (Polyline [place p, place q])
     nameOf = Text.pack . cornerText . cornerName scene
-    polygons = polygonMarks scene frame
-    lights = lightsOf scene frame
-    flatCorners = flatCornerMarks scene frame
-    scenery =
-      Obstruction
-        { canvas = frameOutside frame
-        , lightLines = concatMap wideLines (bitangents <> lights)
-        , walls = concatMap wideLines polygons
-        , taken = dotBoxes flatCorners
-        , clearance = 1.5
-        }
-    (labels, leaders, unlabelled)
-      | fewCorners scene = placeLabels scenery (cornerRequests scene frame)
-      | otherwise = (mapMaybe inside (scenePolygons scene), [], [])
-    inside = polygonLabel (placeOfPoint scene frame) (concatMap wideLines lights)
-
-    width = canvasWidth
-    top = frameHeight frame + footHeight
-    height = top + 40
-    footHeight = frameFoot frame
-    (legendTop, legendWidth) = (footHeight - 6, width - 2 * sideMargin - 150)
-    legendMarks = legend sideMargin legendTop legendWidth entries
-    entries =
-      polygonEntries
-        <> [Entry (lineSwatch [Bitangent]) "free bitangent" | not (null bitangents)]
-        <> lightEntries
     (polygonEntries, lightEntries) = sceneryEntries scene
-    caption = captionLines sideMargin (legendTop - legendHeight legendWidth entries - 15) (width - 2 * sideMargin) facts
-    scaleBar = scaleMarks scene frame (Place (width - sideMargin) (legendTop - rowHeight / 2))
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"
       , counted (length (statedCorners scene)) "corner" "corners"
@@ -94,7 +59,6 @@ sceneDrawing scene vertices =
       , counted pairs "elementary visible pair" "elementary visible pairs"
       , counted (length bitangents) "free bitangent" "free bitangents"
       ]
-        <> countedUnlabelled unlabelled
     Totals vertexTotal degenerate pairs = foldl' addVertex (Totals 0 0 0) vertices
     addVertex (Totals a b c) vertex =
       Totals (a + 1) (if isDegenerate scene vertex then b + 1 else b) (c + length (pairsOf vertex))

@@ -8,12 +8,14 @@ module Visibility.Draw.Scenery
   , frameFor
   , standardFoot
   , frameOutside
-  , frameFoot
   , frameHeight
   , canvasWidth
   , sideMargin
   , placeOf
   , placeOfPoint
+  , heading
+  , freeCone
+  , lineOrDot
     -- * Polygons
   , groundLayers
   , polygonMarks
@@ -28,12 +30,13 @@ module Visibility.Draw.Scenery
   , dotBoxes
   , cornerRequests
   , polygonLabel
-    -- * The foot
+    -- * Scale
   , scaleMarks
-  , titleMark
+  , framePixel
   ) where
 
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -41,7 +44,7 @@ import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (turn)
+import Visibility.Exact.Predicate (Direction (..), turn)
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 import qualified Visibility.Scene.Raw as Raw
@@ -58,8 +61,6 @@ data Frame = Frame
   -- ^ Its place.
   , frameOutside :: !Box
   -- ^ What the figure fills, margins included.
-  , frameFoot :: !Double
-  -- ^ Room below the figure.
   , frameHeight :: !Double
   -- ^ The height of what the figure fills.
   }
@@ -82,7 +83,7 @@ standardFoot = 66
 -- and above a foot of this height.
 frameFor :: Double -> Scene -> [Point] -> Frame
 frameFor foot scene further =
-  Frame scale extent (left, bottom) (Place originX originY) outside foot (plotHeight + 2 * plotMargin)
+  Frame scale extent (left, bottom) (Place originX originY) outside (plotHeight + 2 * plotMargin)
   where
     points = map (latticePlace scene . snd) (statedCorners scene) <> others
     others = map (latticePlace scene) further
@@ -121,6 +122,53 @@ placed frame (x, y) = Place (ox + part (x - left)) (oy + part (y - bottom))
     Place ox oy = frameOrigin frame
     part v = frameScale frame * fromRational (v / frameExtent frame)
 
+-- | The unit vector from a corner to another one, and how far it is on the canvas.
+--
+-- /Degenerate cases/ where the two are in one place to a hundredth of a pixel, rounding would decide the direction: it
+-- is taken from the exact coordinates. Only that of a corner to itself is (0, 0).
+heading :: Scene -> (CornerId -> Place) -> CornerId -> CornerId -> ((Double, Double), Double)
+heading scene place from to
+  | long >= leastSeen = ((dx / long, dy / long), long)
+  | otherwise = (exact, long)
+  where
+    (Place x0 y0, Place x1 y1) = (place from, place to)
+    (dx, dy) = (x1 - x0, y1 - y0)
+    long = sqrt (dx * dx + dy * dy)
+    exact = case towards (cornerAt scene from) (cornerAt scene to) of
+      Vector2 0 0 -> (0, 0)
+      Vector2 ex ey -> let angle = directionAngle (Direction ex ey) in (cos angle, sin angle)
+
+-- | What is shorter is a point, in pixels: SVG has hundredths.
+leastSeen :: Double
+leastSeen = 0.01
+
+-- | Where free space lies at a corner: it begins at an angle, that of the preceding side, and is so wide,
+-- counter-clockwise to the following side.
+--
+-- /Degenerate cases/ whether it is wider than a half turn is decided exactly: a spike is 0 or 2π wide though both its
+-- sides have one bearing.
+freeCone :: Scene -> (CornerId -> Place) -> CornerId -> (Double, Double)
+freeCone scene place corner@(CornerId c) = (from, wide)
+  where
+    (before@(CornerId b), after@(CornerId a)) = (previousCorner scene corner, nextCorner scene corner)
+    bearing to = let ((ux, uy), _) = heading scene place corner to in atan2 uy ux
+    from = bearing before
+    turned = let w = bearing after - from in if w <= 0 then w + 2 * pi else w
+    wide = case turn (scenePoints scene) b c a of
+      RightTurn | turned > 1.5 * pi -> 0
+      LeftTurn | turned < 0.5 * pi -> 2 * pi
+      _ -> turned
+
+-- | A line, or a dot where all of it is in one place.
+lineOrDot :: [Place] -> Shape
+lineOrDot places = fromMaybe (Polyline places) (dotFor places)
+
+dotFor :: [Place] -> Maybe Shape
+dotFor places = case places of
+  here@(Place x y) : others
+    | and [abs (x' - x) < leastSeen && abs (y' - y) < leastSeen | Place x' y' <- others] -> Just (Dot here)
+  _ -> Nothing
+
 -- | The layers below everything: @outside@ and @room@ of an enclosure.
 groundLayers :: Scene -> Frame -> [Layer]
 groundLayers scene frame =
@@ -134,7 +182,7 @@ groundLayers scene frame =
       , polygonId polygon == Enclosure
       ]
 
--- | A mark for each polygon, named as in output.
+-- | A mark for each polygon, named as in output: a dot where it is smaller than what is seen.
 polygonMarks :: Scene -> Frame -> [Mark]
 polygonMarks scene frame = map (polygonMark (placeOfPoint scene frame)) (scenePolygons scene)
 
@@ -148,9 +196,9 @@ isThin polygon = polygonForm polygon == Raw.Polyline
 
 polygonMark :: (Point -> Place) -> Polygon -> Mark
 polygonMark place polygon
-  | polygonId polygon == Enclosure = Mark name RoomWall (Polyline (places <> take 1 places))
-  | isThin polygon = Mark name ThinWall (Polyline places)
-  | otherwise = Mark name Opaque (Region places)
+  | polygonId polygon == Enclosure = Mark name RoomWall (lineOrDot (places <> take 1 places))
+  | isThin polygon = Mark name ThinWall (lineOrDot places)
+  | otherwise = Mark name Opaque (fromMaybe (Region places) (dotFor places))
   where
     name = Text.pack (polygonText (polygonId polygon))
     places = map place (polygonPoints polygon)
@@ -164,34 +212,26 @@ lightMarks :: Scene -> (CornerId -> Place) -> SideId -> [Mark]
 lightMarks scene place side
   | emission (sideMaterial scene side) <= 0 = []
   | otherwise =
-    [Mark name LightRim (Polyline [from, to]), Mark name LightSource (Polyline [from, to])]
+    [Mark name LightRim (lineOrDot [from, to]), Mark name LightSource (lineOrDot [from, to])]
       <> [ Mark name LightRay (Polyline [along (k / count) 4.5, along (k / count) 9])
-         | long > 0
-         , k <- takeWhile (< count) (map (+ 0.5) [0 ..])
+         | k <- takeWhile (< count) (map (+ 0.5) [0 ..])
          ]
   where
     name = Text.pack (sideText (sideName scene side))
-    Place x0 y0 = place (sideStart side)
-    Place x1 y1 = place (sideEnd scene side)
-    long = sqrt ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0))
+    (_, long) = heading scene place (sideStart side) (sideEnd scene side)
     count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
     (from, to) = (along 0 0, along 1 0)
     along = besideSide scene place side
 
 -- | A place along a side, 0 at its start and 1 at its end, so many pixels out into free space.
 --
--- /Degenerate cases/ the two faces of a thin wall lie beside it, so that both can be told apart. A side too short to
--- be drawn is one place.
+-- /Degenerate cases/ the two faces of a thin wall lie beside it, so that both can be told apart.
 besideSide :: Scene -> (CornerId -> Place) -> SideId -> Double -> Double -> Place
-besideSide scene place side s out
-  | long > 0 = Place (x0 + s * dx + (beside + out) * dy / long) (y0 + s * dy - (beside + out) * dx / long)
-  | otherwise = Place x0 y0
+besideSide scene place side s out = Place (x0 + s * (x1 - x0) + far * uy) (y0 + s * (y1 - y0) - far * ux)
   where
-    Place x0 y0 = place (sideStart side)
-    Place x1 y1 = place (sideEnd scene side)
-    (dx, dy) = (x1 - x0, y1 - y0)
-    long = sqrt (dx * dx + dy * dy)
-    beside = if isFaceOfWall scene side then 2.6 else 0
+    (Place x0 y0, Place x1 y1) = (place (sideStart side), place (sideEnd scene side))
+    ((ux, uy), _) = heading scene place (sideStart side) (sideEnd scene side)
+    far = out + (if isFaceOfWall scene side then 2.6 else 0)
 
 -- | Is the side a face of a thin wall?
 isFaceOfWall :: Scene -> SideId -> Bool
@@ -229,9 +269,11 @@ fewCorners scene = cornerCount scene <= 40
 wideLines :: Mark -> [Line]
 wideLines mark = map (Line (strokeWidth Sparse (markStyle mark) / 2)) (strokes mark)
 
--- | Dots, as they are in the way of labels.
+-- | Dots, as they are in the way of labels, which keep clear of thin rims anyway.
 dotBoxes :: [Mark] -> [Box]
-dotBoxes marks = [widened (dotRadius Sparse style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
+dotBoxes marks = [widened (around style) (Box x y x y) | Mark _ style (Dot (Place x y)) <- marks]
+  where
+    around style = dotRadius Sparse style + max 0 (strokeWidth Sparse style / 2 - 1)
 
 -- | A label for each place with corners, with all their names. It had best lie where the free angle is widest, opposite
 -- the solid; where all is solid, anywhere.
@@ -250,19 +292,10 @@ namesText :: [CornerName] -> Text
 namesText = Text.pack . unwords . map cornerText
 
 cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> [CornerId] -> Request
-cornerRequest scene place c group = Request name CornerLabel name [Seat here outward pi]
+cornerRequest scene place c group = Request name CornerLabel name [Seat (place c) outward pi]
   where
     name = namesText (namesHere scene c)
-    here = place c
-    outward = snd (maximum (map cone group))
-    -- Free space runs counter-clockwise from the preceding side to the following one: how wide, and its middle.
-    cone corner = (wide, previous + wide / 2)
-      where
-        next = bearing (place (nextCorner scene corner))
-        previous = bearing (place (previousCorner scene corner))
-        wide = positive (next - previous)
-    positive a = if a <= 0 then a + 2 * pi else a
-    bearing (Place x y) = let Place hx hy = here in atan2 (y - hy) (x - hx)
+    outward = snd (maximum [(wide, from + wide / 2) | (from, wide) <- map (freeCone scene place) group])
 
 -- | The number of an obstacle, and its name where there is room, inside it and on none of some lines.
 polygonLabel :: (Point -> Place) -> [Line] -> Polygon -> Maybe Mark
@@ -284,11 +317,10 @@ scaleMarks scene frame (Place right y) =
   where
     -- 80 pixels in the file's units.
     bar = roundStep (unit * toRational (80 / frameScale frame))
-    unit = frameExtent frame / fromInteger (latticeScale (sceneLattice scene))
+    unit = frameUnit scene frame
     left = right - frameScale frame * fromRational (bar / unit)
 
--- | The title above a figure of this height.
-titleMark :: Double -> Text -> Mark
-titleMark height title =
-  plain FigureTitle $
-    Label StartAnchor (Place sideMargin (height - 25)) (shortened FigureTitle (canvasWidth - 2 * sideMargin) title)
+-- | The longer side of the bounding box, and a pixel, in the file's units.
+frameUnit, framePixel :: Scene -> Frame -> Rational
+frameUnit scene frame = frameExtent frame / fromInteger (latticeScale (sceneLattice scene))
+framePixel scene frame = frameUnit scene frame / toRational (frameScale frame)

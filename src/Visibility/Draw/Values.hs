@@ -6,6 +6,7 @@ module Visibility.Draw.Values
   , fitted
   , placeOn
   , ticks
+  , evenTicks
   , ticksAcross
     -- * Colours
   , Tone (..)
@@ -60,15 +61,13 @@ placeOn (Values scaling low high) value = case scaling of
 -- | Round values on a scale, from the least upwards, with their places and texts; at most so many steps between them.
 --
 -- /Requires/ at least one step.
-ticks :: Int -> Values -> [(Double, Text)]
-ticks most (Values scaling low high) = case scaling of
-  Linear -> map tick (multiplesWithin (stepAtLeast (toRational high / fromIntegral most)) 0 (toRational high))
+ticks :: Values -> Int -> [(Double, Text)]
+ticks (Values scaling low high) most = case scaling of
+  Linear -> evenTicks (toRational high) most
   Logarithmic
     | last' - first >= 2 -> [tick (10 ^^ k) | k <- thinned most first last']
     | otherwise -> map tick (fewEnough (map leading [[1, 2, 5], [1, 3], [1]]))
   where
-    -- The reciprocals of round steps are round.
-    stepAtLeast x = 1 / roundStep (1 / x)
     (first, last') = (ceiling low, floor high) :: (Int, Int)
     leading digits = [value | k <- [first - 1 .. last'], m <- digits, let value = m * 10 ^^ k, within value]
     within value = let l = logBase 10 (fromRational value) in l >= low && l <= high
@@ -77,12 +76,19 @@ ticks most (Values scaling low high) = case scaling of
       [] -> []
     tick value = (placeOn (Values scaling low high) (fromRational value), decimalText value)
 
--- | Round values on a scale that is so many pixels wide: as many, up to eight, as have room for their texts beside each
--- other.
-ticksAcross :: Double -> Values -> [(Double, Text)]
-ticksAcross width values = case filter fits [ticks most values | most <- [8, 7 .. 1]] of
+-- | The same on a linear scale from 0 to a number of any size.
+evenTicks :: Rational -> Int -> [(Double, Text)]
+evenTicks high most = [(fromRational (value / high), decimalText value) | value <- multiplesWithin step 0 high]
+  where
+    -- The reciprocals of round steps are round.
+    step = 1 / roundStep (fromIntegral most / high)
+
+-- | Round values by how many steps there may be, on a scale that is so many pixels wide: as many, up to eight, as have
+-- room for their texts beside each other.
+ticksAcross :: Double -> (Int -> [(Double, Text)]) -> [(Double, Text)]
+ticksAcross width atMost = case filter fits (map atMost [8, 7 .. 1]) of
   found@(_ : _) : _ -> found
-  _ -> take 1 (ticks 1 values)
+  _ -> take 1 (atMost 1)
   where
     fits found = and (zipWith apart found (drop 1 found))
     apart (s, text) (s', text') =
@@ -112,7 +118,7 @@ toned MoreIsDarker = opposite
 colourBar :: Tone -> Values -> Box -> ([Mark], [Mark])
 colourBar tone values (Box l b r t) = (zipWith cell [0 ..] shades, frame : concatMap tickMarks found)
   where
-    found = ticksAcross (r - l) values
+    found = ticksAcross (r - l) (ticks values)
     step = (r - l) / fromIntegral (length shades)
     cell k shade = plain (Cell (toned tone shade)) (boxRegion (Box (l + step * k) b (l + step * (k + 1)) t))
     frame = plain Axis (boxRegion (Box l b r t))

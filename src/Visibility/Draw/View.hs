@@ -7,12 +7,13 @@ module Visibility.Draw.View
   ) where
 
 import Data.List (find, sortOn)
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing hiding (Region)
 import qualified Visibility.Draw.Drawing as Drawing
+import Visibility.Draw.Figure
 import Visibility.Draw.Labels
 import Visibility.Draw.Legend
 import Visibility.Draw.Outline
@@ -51,76 +52,29 @@ data ViewFigure
 -- covers a line, an outline or another label; nothing leaves the canvas.
 viewDrawing :: Scene -> ViewFigure -> Drawing
 viewDrawing scene figure =
-  Drawing
-    { drawingTitle = title
-    , drawingDescription = title <> ", " <> Text.intercalate ", " facts <> "."
-    , drawingWidth = canvasWidth
-    , drawingHeight = height
-    , drawingLayers =
-        filter (not . null . layerMarks) $
-          groundLayers scene frame
-            <> [ Layer "region" Sparse region'
-               , Layer "limits" (densityOf (length limits)) limits
-               , Layer "polygons" (polygonDensity scene) polygons
-               , Layer "seen" (polygonDensity scene) seen
-               , Layer "flat-corners" Sparse flatCorners
-               , Layer "viewpoint" Sparse viewpoint
-               , Layer "leaders" Sparse leaders
-               , Layer "labels" Sparse labels
-               , Layer "legend" Sparse (titleMark height title : legendMarks <> scaleBar <> captions)
-               ]
-    }
+  planeDrawing scene $
+    scenePlane
+      { planeTitle = title
+      , planeAbout = title <> ", "
+      , planeFacts = factsOf figure
+      , planeEntries = fst (sceneryEntries scene) <> entriesOf scene figure
+      , planePoints = viewpointOf figure
+      , planeNaming = naming
+      , planeSheets = \frame ->
+          let (region', limits) = regionMarks scene frame figure
+           in [ Sheet Crossable "region" Sparse region'
+              , Sheet Crossable "limits" (densityOf (length limits)) limits
+              , polygonSheet scene frame
+              , Sheet Solid "seen" (polygonDensity scene) (sideMarks scene frame figure)
+              , Sheet Ground "flat-corners" Sparse (flatCorners frame)
+              , Sheet Solid "viewpoint" Sparse (viewpointMarks scene frame figure)
+              ]
+      }
   where
-    title = titleOf scene figure <> fromMaybe "untitled scene" (sceneTitle scene)
-    frame = frameFor foot scene (viewpointOf figure)
-    polygons = polygonMarks scene frame
-    (region', limits) = regionMarks scene frame figure
-    seen = sideMarks scene frame figure
-    viewpoint = viewpointMarks scene frame figure
-    labelled = labelling scene figure
-    flatCorners = if labelled == CornerLabels then flatCornerMarks scene frame else []
-
-    underneath = concatMap wideLines (region' <> limits)
-    obstruction =
-      Obstruction
-        { canvas = frameOutside frame
-        , lightLines = underneath
-        , walls = concatMap wideLines (polygons <> seen <> viewpoint)
-        , taken = dotBoxes (flatCorners <> viewpoint)
-        , clearance = 1.5
-        }
-    (labels, leaders, unlabelled) = case labelled of
-      PolygonLabels -> (mapMaybe (polygonLabel (placeOfPoint scene frame) underneath) (scenePolygons scene), [], [])
-      CornerLabels -> placeLabels obstruction (cornerRequests scene frame)
-      -- The caption has what finds no room.
-      SideLabels ->
-        let (found, thin, _) = placeLabels obstruction (sideRequests scene frame figure) in (found, thin, [])
-
-    facts = factsOf figure <> countedUnlabelled unlabelled
-    height = frameHeight frame + foot + 40
-    -- How much room the foot takes must be known before there are labels.
-    foot = max standardFoot (legendRows + rowHeight * fromIntegral (captionRows (factsOf figure <> doubtful)) + 9)
-    doubtful = if labelled == CornerLabels then countedUnlabelled (corners scene) else []
-    captionRows = length . captionLines 0 0 captionWidth . map (shortened Caption captionWidth)
-    legendRows = legendHeight legendWidth entries
-    (legendTop, legendWidth) = (foot - 6, captionWidth - 150)
-    legendMarks = legend sideMargin legendTop legendWidth entries
-    entries = fst (sceneryEntries scene) <> entriesOf scene figure
-    captions =
-      captionLines sideMargin (legendTop - legendRows - 15) captionWidth (map (shortened Caption captionWidth) facts)
-    captionWidth = canvasWidth - 2 * sideMargin
-    scaleBar = scaleMarks scene frame (Place (canvasWidth - sideMargin) (legendTop - rowHeight / 2))
-
--- | Which things have labels.
-data Labelling = CornerLabels | PolygonLabels | SideLabels
-  deriving (Eq)
-
-labelling :: Scene -> ViewFigure -> Labelling
-labelling scene figure = case figure of
-  RegionFigure _ _
-    | fewCorners scene -> CornerLabels
-    | otherwise -> PolygonLabels
-  _ -> SideLabels
+    title = titleOf scene figure
+    (naming, flatCorners) = case figure of
+      RegionFigure _ _ -> (Corners, flatCornerMarks scene)
+      _ -> (Asked (\frame -> sideRequests scene frame figure), const [])
 
 viewpointOf :: ViewFigure -> [Point]
 viewpointOf figure = case figure of
@@ -162,7 +116,7 @@ sideMarks scene frame figure = case figure of
       <> [mark SeeingSide piece (band piece 0 1) | piece <- piecesNamed scene from]
   where
     mark style side = Mark (Text.pack (sideText (sideName scene side))) style
-    band side from to = Polyline [besideSide scene (placeOf scene frame) side s 0 | s <- [from, to]]
+    band side from to = lineOrDot [besideSide scene (placeOf scene frame) side s 0 | s <- [from, to]]
 
 -- | All uncovered pieces of a side of the file.
 piecesNamed :: Scene -> SideName -> [SideId]
@@ -231,9 +185,8 @@ sideRequests scene frame figure =
       , (piece, a, b) <- found
       ]
     place = placeOf scene frame
-    outward piece = atan2 (x0 - x1) (y1 - y0)
-      where
-        (Place x0 y0, Place x1 y1) = (place (sideStart piece), place (sideEnd scene piece))
+    outward piece =
+      let ((ux, uy), _) = heading scene place (sideStart piece) (sideEnd scene piece) in atan2 (negate ux) uy
 
 -- | How many form factors the caption states, and how many the labels.
 captionedFactors, labelledFactors :: Int
@@ -254,10 +207,10 @@ factorText :: RootSum -> Text
 factorText = Text.pack . maybe (const "") decimal (digits 3)
 
 titleOf :: Scene -> ViewFigure -> Text
-titleOf scene figure = case figure of
-  RegionFigure q _ -> "Seen from " <> maybe "a point: " (\c -> "corner " <> named c <> ": ") (cornerHere scene q)
-  ElementFigure {} -> "Seen from an element: "
-  SideFigure side _ -> "Seen from side " <> Text.pack (sideText side) <> ": "
+titleOf scene figure = flip titleAfter scene $ case figure of
+  RegionFigure q _ -> "Seen from " <> maybe "a point" (\c -> "corner " <> named c) (cornerHere scene q)
+  ElementFigure {} -> "Seen from an element"
+  SideFigure side _ -> "Seen from side " <> Text.pack (sideText side)
   where
     named = Text.pack . cornerText
 

@@ -1,5 +1,6 @@
 module Visibility.Draw.BandSpec (spec) where
 
+import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Test.Hspec
 import Test.QuickCheck hiding (within)
@@ -19,6 +20,10 @@ spec = do
   describe "every scene in scenes/" $
     withGallery $ \name scene ->
       it (name <> ": no strip and no ray crosses into the solid") $ intruders scene `shouldBe` []
+  describe "of scenes with parts that differ by more than Doubles hold" $
+    for_ extremeScenes $ \(name, _, raw) ->
+      it (name <> ": no strip and no ray crosses into the solid") $
+        withValid raw $ \scene -> intruders scene `shouldBe` []
   describe "of any scene" $ do
     it "no strip and no ray crosses into the solid" $
       property $ \(AnyScene s) -> intruders (sampleScene s) === []

@@ -5,6 +5,7 @@ module Visibility.Draw.DrawingSpec (spec) where
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck hiding (label, within)
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 
 spec :: Spec

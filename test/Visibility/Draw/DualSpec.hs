@@ -10,6 +10,7 @@ import Data.Ratio ((%))
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Dual
 import Visibility.Draw.Gallery

@@ -3,6 +3,7 @@
 module Visibility.Draw.Gallery
   ( withGallery
   , goldenScenes
+  , extremeScenes
   , withValid
   , legible
   , isLegible
@@ -23,6 +24,7 @@ import System.Directory (doesFileExist, listDirectory)
 import System.FilePath (dropExtension, takeExtension, (</>))
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Exact.Point
 import Visibility.Format.File (readSceneFile)
@@ -66,6 +68,38 @@ goldenScenes =
       (rawPolygon (points [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)])) {rawMaterial = material}
     bright = Material 1 0
     points = map (uncurry Point)
+
+-- | Scenes with parts that differ by more than Doubles hold: things of size 1 and gaps of 1 where others are larger by
+-- powers of ten; with the length of the first side, which is that of an axis. A chamfer, a solid and a free spike, a pocket
+-- with a light in it, a wall and a light that are points.
+extremeScenes :: [(String, String, RawScene)]
+extremeScenes =
+  concat
+    [ [ ("obstacles of 1 and of 10^" <> show k, "1e" <> show k, RawScene Nothing Nothing (obstacles (10 ^ k)))
+      , ("a room of 10^" <> show k, "1", RawScene Nothing (Just (room (10 ^ k))) (furniture (10 ^ k)))
+      , ("a room of 10^-" <> show k, "1e−" <> show (2 * k), smaller (10 ^ (2 * k)) (room (10 ^ k)) (furniture (10 ^ k)))
+      ]
+    | k <- [72, 149, 350 :: Int]
+    ]
+  where
+    obstacles s =
+      [ solid [(0, 0), (s, 0), (s, s - 1), (s - 1, s), (0, s)]
+      , bright (solid [(s + 1, 0), (2 * s, 0), (2 * s, s), (s + 1, s)])
+      , bright (solid [(s / 2, 2 * s), (s / 2 + 1, 2 * s), (s / 2 + 1, 2 * s + 1), (s / 2, 2 * s + 1)])
+      , solid [(0, 3 * s), (2 * s, 3 * s), (0, 3 * s + 1)]
+      ]
+    room s =
+      lit 2 . solid $
+        [(0, 0), (s / 2, 0), (s / 2, -1), (s / 2 + 1, -1), (s / 2 + 1, 0), (s, 0)]
+          <> [(s, s / 2), (3 * s, s / 2), (s, s / 2 + 1), (s, s), (0, s)]
+    furniture s = [rawWall [Point (s / 4) (s / 4), Point (s / 4 + 1) (s / 4)], lit 0 (solid (triangle s))]
+    triangle s = [(s / 3, s / 2), (2 * s / 3, s / 2), (s / 2, 2 * s / 3)]
+    smaller d enclosure others =
+      RawScene Nothing (Just (shrunk d enclosure)) (map (shrunk d) others)
+    shrunk d polygon = polygon {rawCorners = [Point (x / d) (y / d) | Point x y <- rawCorners polygon]}
+    solid = rawPolygon . map (uncurry Point)
+    bright polygon = polygon {rawMaterial = Material 1 (1 / 2)}
+    lit k polygon = polygon {rawSides = Map.fromList [(k, MaterialOverride (Just 1) Nothing)]}
 
 withValid :: RawScene -> (Scene -> Expectation) -> Expectation
 withValid raw check = either (expectationFailure . show) check (validate raw)

@@ -8,6 +8,7 @@ import Data.Maybe (isJust)
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Gallery
 import Visibility.Draw.Light

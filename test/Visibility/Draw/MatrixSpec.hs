@@ -9,6 +9,7 @@ import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck hiding (total)
 import Visibility.Draw.Colour
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Gallery
 import Visibility.Draw.Matrix

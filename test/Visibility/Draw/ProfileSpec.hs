@@ -7,6 +7,7 @@ import Data.Ratio ((%))
 import Test.Hspec
 import Test.QuickCheck
 import Visibility.Draw.Colour
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Profile
 import Visibility.Draw.Values

@@ -11,6 +11,7 @@ import Test.Hspec
 import Test.QuickCheck
 import Visibility.Draw.Colour
 import Visibility.Draw.DirectLight
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Gallery
 import Visibility.Draw.Radiosity

@@ -9,6 +9,7 @@ import qualified Data.Text.Encoding as Text
 import Test.Hspec
 import Test.QuickCheck
 import Visibility.Draw.Colour
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Dual
 import Visibility.Draw.Gallery

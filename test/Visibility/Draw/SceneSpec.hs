@@ -7,6 +7,7 @@ import Data.List (nub, sort)
 import qualified Data.Text as Text
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
+import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Gallery
 import Visibility.Draw.Scene

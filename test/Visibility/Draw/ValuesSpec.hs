@@ -32,7 +32,7 @@ spec = do
     it "rise, are on it, and are not too many, but several" $
       forAll scalings $ \scaling ->
         forAll ((,) <$> listOf anyValue <*> choose (4, 9)) $ \(values, most) ->
-          let places = map fst (ticks most (fitted scaling values))
+          let places = map fst (ticks (fitted scaling values) most)
            in counterexample (show places) $
                 sort places == places
                   && all (\t -> t >= 0 && t <= 1) places
@@ -41,20 +41,20 @@ spec = do
     it "are where their values are" $ do
       let linear = fitted Linear [0.3, 2]
           logarithmic = fitted Logarithmic [0.0009, 1]
-      map (Text.unpack . snd) (ticks 4 linear) `shouldBe` ["0", "0.5", "1", "1.5", "2"]
-      map (Text.unpack . snd) (ticks 4 logarithmic) `shouldBe` ["0.001", "0.01", "0.1", "1"]
+      map (Text.unpack . snd) (ticks linear 4) `shouldBe` ["0", "0.5", "1", "1.5", "2"]
+      map (Text.unpack . snd) (ticks logarithmic 4) `shouldBe` ["0.001", "0.01", "0.1", "1"]
       for_ [linear, logarithmic] $ \scale ->
-        [text | (t, text) <- ticks 4 scale, not (close t (placeOn scale (read (Text.unpack text))))] `shouldBe` []
+        [text | (t, text) <- ticks scale 4, not (close t (placeOn scale (read (Text.unpack text))))] `shouldBe` []
     it "keep their texts apart across a width, and are among those without one" $
       forAll scalings $ \scaling ->
         forAll ((,) <$> listOf anyValue <*> choose (60, 900)) $ \(values, width) ->
           let scale = fitted scaling values
-              found = ticksAcross width scale
+              found = ticksAcross width (ticks scale)
               boxes = [textBoxAt TickLabel MiddleAnchor (Place (t * width) 0) text | (t, text) <- found]
            in conjoin
                 [ counterexample (show boxes) (not (or (zipWith boxesMeet boxes (drop 1 boxes))))
                 , counterexample "no tick" (not (null boxes))
-                , counterexample "other ticks" (or [take (length found) (ticks most scale) == found | most <- [1 .. 8]])
+                , counterexample "other ticks" (or [take (length found) (ticks scale most) == found | most <- [1 .. 8]])
                 ]
   describe "the colour of a value" $
     it "is monotone in it, in the direction of the tone" $
