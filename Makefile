@@ -40,8 +40,9 @@ degenerate: build ## draw the figures of docs/degeneracies.md anew, from scenes/
 	@tools/degenerate.sh
 
 .PHONY: gallery
-gallery: build ## draw the figures of docs/gallery.md anew
+gallery: build ## draw the figures of docs/gallery.md and docs/sweep.md anew
 	@tools/gallery.sh
+	@tools/sweep.sh
 
 .PHONY: test
 test: setup ## all tests, at -O2 and once at -O0; the last line is "N passed, N failed"

@@ -20,6 +20,7 @@ module Options
   , RadiosityOptions (..)
   , Elements (..)
   , LightOptions (..)
+  , Frames (..)
   ) where
 
 import Control.Applicative ((<**>))

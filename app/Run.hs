@@ -10,6 +10,7 @@ module Run
   , printed
   , streamed
   , written
+  , orComplain
   , complain
   , ends
   ) where

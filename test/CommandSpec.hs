@@ -274,6 +274,27 @@ spec = do
         svg <- output (["draw"] <> take 1 (words figure) <> ["scenes/room.json"] <> drop 1 (words figure)) ""
         shown <- readFile ("docs" </> "figures" </> name <> ".svg")
         svg `shouldBe` shown
+    it "draws the figures of docs/sweep.md as they are there" $ do
+      page <- readFile "docs/sweep.md"
+      for_ sweepFigures $ \(name, k) -> do
+        page `shouldSatisfy` isInfixOf ("figures/sweep/" <> name <> ".svg")
+        svg <- output ["draw", "sweep", "scenes/sweep.json", "--at", show k] ""
+        shown <- readFile ("docs/figures/sweep" </> name <> ".svg")
+        svg `shouldBe` shown
+    it "draws so many states of the sweep into a folder, the first and the last among them" $
+      withSystemTempDirectory "viscomplex" $ \folder -> do
+        _ <- output ["draw", "sweep", "scenes/sweep.json", "--frames", "4", "-o", folder </> "frames"] ""
+        names <- sort <$> listDirectory (folder </> "frames")
+        names `shouldBe` ["00.svg", "16.svg", "32.svg", "49.svg"]
+        for_ names $ \name -> do
+          alone <- output ["draw", "sweep", "scenes/sweep.json", "--at", take 2 name] ""
+          frame <- readFile (folder </> "frames" </> name)
+          frame `shouldBe` alone
+    it "refuses moments that a sweep does not have, and frames without a folder" $ do
+      refuses 1 ["49 vertices"] ["draw", "sweep", "scenes/sweep.json", "--at", "50"] ""
+      refuses 1 ["--at K or --frames N"] ["draw", "sweep", "scenes/sweep.json"] ""
+      refuses 1 ["--output FOLDER"] ["draw", "sweep", "scenes/sweep.json", "--frames", "3"] ""
+      refuses 1 ["--at is for the figure sweep"] ["draw", "scene", "scenes/sweep.json", "--at", "3"] ""
     it "says so where it cannot write" $
       refuses 2 [nowhere, "cannot be written"] ["draw", "scene", "scenes/room.json", "-o", nowhere] ""
 
@@ -416,6 +437,8 @@ spec = do
       , ("mesh", "room-mesh")
       , ("mesh --breaks shadow-limits --lines", "room-shadows")
       ]
+    -- By name, how many vertices have been swept.
+    sweepFigures = [("start", 0 :: Int), ("ready", 8), ("chain", 26), ("line", 12)]
     sceneFiles = sort . filter ((`elem` [".json", ".geojson", ".wkt"]) . takeExtension) <$> listDirectory "scenes"
 
 -- | The objects seen and their form factors, of a view.

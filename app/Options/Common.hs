@@ -51,8 +51,8 @@ common = Common <$> scene <*> arithmetic <*> scheduler
             <> value Topological
             <> showDefaultWith (const "topological")
             <> help
-              "The order in which vertices are swept: any legal one, or by direction. The result is the same. reference \
-              \sweeps as topological does, by a slower program that is written to be read."
+              "The order in which vertices are swept: any legal one, or by direction. The result is the same. \
+              \reference sweeps as topological does, by a slower program that is written to be read."
         )
 
 graphOptions :: Parser GraphOptions

@@ -125,6 +125,15 @@ data Style
     ShadowLine
   | -- | The line that casts a kink.
     KinkLine
+  | -- | The line of a vertex that has been swept just now.
+    SweptLine
+  | -- | The line of a vertex that may be swept.
+    ReadyLine
+  | -- | The next pair of a corner, to the right and to the left; those found just now.
+    RightTreeEdge
+  | LeftTreeEdge
+  | NewRightTreeEdge
+  | NewLeftTreeEdge
   | -- | A side, or a piece of one, that is seen.
     SeenSide
   | -- | The side that sees.
@@ -268,6 +277,12 @@ strokeWidth density style = case style of
   EndingCurve -> by 1.1 0.45 0.15 0.05
   BuriedCurve -> by 1 0.4 0.15 0.05
   SightLimit -> by 0.9 0.7 0.4 0.2
+  SweptLine -> by 6 4 2.4 1.2
+  ReadyLine -> by 7 4.5 2.4 1.2
+  RightTreeEdge -> by 1.1 0.7 0.4 0.2
+  LeftTreeEdge -> by 1.1 0.7 0.4 0.2
+  NewRightTreeEdge -> by 2.4 1.6 0.8 0.4
+  NewLeftTreeEdge -> by 2.4 1.6 0.8 0.4
   ShadowLimitTick -> by 1.8 1.2 0.6 0.3
   KinkTick -> by 1.2 0.8 0.4 0.2
   EqualPartsTick -> by 1.2 0.8 0.4 0.2

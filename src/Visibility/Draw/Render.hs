@@ -166,6 +166,12 @@ look density style = case style of
   EqualPartsTick -> line dark
   ShadowLine -> line (by "#c9556a" "#c9556a" "#b3122a")
   KinkLine -> Look Nothing (Just (by "#6f9fcc" "#6f9fcc" "#3a78b5")) (by [5, 3] [4, 2.5] [3, 2])
+  SweptLine -> line "#f3b6bd"
+  ReadyLine -> line "#cfe8c6"
+  RightTreeEdge -> line "#1f62a8"
+  LeftTreeEdge -> line "#c2701c"
+  NewRightTreeEdge -> line "#1f62a8"
+  NewLeftTreeEdge -> line "#c2701c"
   SeenSide -> line "#1f62a8"
   SeeingSide -> line accent
   Arrow -> line accent

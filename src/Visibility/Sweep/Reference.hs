@@ -14,12 +14,13 @@ module Visibility.Sweep.Reference
     State (..)
   , start
   , step
+  , readyVertices
   , treeOf
   , module Visibility.Sweep.Reference.Tree
   ) where
 
 import Data.List (foldl', mapAccumL)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (catMaybes, mapMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Exact.Predicate
@@ -143,6 +144,12 @@ readyVertex scene state p q = collected [p] (Set.singleton p) >>= fromCorners . 
           c' `isNextOf` e = case cornerAhead back e of
             Just r -> r == c' || isSplitEnd scene e && c' `elem` besides scene e && r == nextCorner scene e
             Nothing -> False
+
+-- | All vertices that may be swept now.
+readyVertices :: Scene -> State -> [Vertex]
+readyVertices scene state =
+  Set.toAscList . Set.fromList $
+    catMaybes [readyVertex scene state p q | p <- corners scene, Just q <- [cornerAhead (rightTree state) p]]
 
 -- | Sweeps a vertex pair by pair: in the right tree the rightmost pair first, in the left tree the leftmost one.
 sweepVertex :: Scene -> State -> Vertex -> State
