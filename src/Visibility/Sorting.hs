@@ -16,27 +16,17 @@ module Visibility.Sorting
   , sortedPairs
   ) where
 
-import Control.Monad (forM_)
 import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.Int (Int32)
 import qualified Data.Vector.Algorithms.Intro as Intro
+import qualified Data.Vector.Algorithms.Radix as Radix
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 
 -- | The items in the order of a part of them, from 0 to just below the bound; items that agree in it keep their order.
 --
 -- /Cost/ O(m + n) for m items and a bound n.
 sortedBy :: U.Unbox a => Int -> (a -> Int) -> U.Vector a -> U.Vector a
-sortedBy bound part items = U.create $ do
-  places <- M.replicate (bound + 1) 0
-  U.forM_ items $ \item -> M.modify places (+ 1) (part item + 1)
-  forM_ [1 .. bound] $ \i -> M.unsafeRead places (i - 1) >>= \before -> M.unsafeModify places (+ before) i
-  sorted <- M.new (U.length items)
-  U.forM_ items $ \item -> do
-    place <- M.read places (part item)
-    M.unsafeWrite sorted place item
-    M.write places (part item) (place + 1)
-  pure sorted
+sortedBy bound part = U.modify (Radix.sortBy 1 bound (const part))
 {-# INLINE sortedBy #-}
 
 -- | By item, how many smaller items there are, equal ones counted once; items are numbered from 0.
@@ -71,15 +61,9 @@ data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)
 bucketsBy :: Int -> U.Vector Int32 -> Buckets
 bucketsBy bound owners = Buckets starts members
   where
-    members = U.create $ do
-      places <- U.thaw starts
-      table <- M.new (U.length owners)
-      flip U.imapM_ owners $ \item owner -> do
-        place <- M.read places (fromIntegral owner)
-        M.write table (fromIntegral place) (fromIntegral item)
-        M.write places (fromIntegral owner) (place + 1)
-      pure table
-    starts = U.scanl' (+) 0 (U.unsafeAccumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
+    members = U.map fromIntegral (sortedBy bound owner (U.enumFromN 0 (U.length owners)))
+    owner item = fromIntegral (owners U.! item)
+    starts = U.scanl' (+) 0 (U.accumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
 
 -- | The items in a bucket.
 bucketOf :: Buckets -> Int -> [Int]
@@ -110,5 +94,9 @@ parts k = (k `shiftR` 32, k .&. 0xFFFFFFFF)
 
 -- | Items by pairs of numbers below the bound.
 sortedPairs :: U.Unbox a => Int -> (a -> Pair) -> U.Vector a -> U.Vector a
-sortedPairs bound pair = sortedBy bound (fst . parts . pair) . sortedBy bound (snd . parts . pair)
+sortedPairs bound pair = U.modify (Radix.sortBy 2 bound digit)
+  where
+    -- The lower half first.
+    digit 0 = snd . parts . pair
+    digit _ = fst . parts . pair
 {-# INLINE sortedPairs #-}
