@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Exact coordinates: rationals at the border, integers of one lattice inside.
 --
 -- Rational coordinates are multiplied by one common denominator and moved so that the lower left corner of the bounding
@@ -11,7 +9,6 @@ module Visibility.Exact.Lattice
     -- * The lattice
   , Lattice (..)
   , latticeFor
-  , latticeOver
   , latticeScale
   , ontoLattice
   , fromLattice
@@ -29,10 +26,7 @@ module Visibility.Exact.Lattice
     -- * Many points
   , Places (..)
   , placesFrom
-  , placesOver
-  , machinePlaces
   , placesOn
-  , wholePlaces
   , placeAt
   , placeCount
   , placeList
@@ -40,17 +34,14 @@ module Visibility.Exact.Lattice
   , rearranged
   ) where
 
-import Control.Monad (forM_, guard)
 import Data.Bits (shiftL)
 import Data.Foldable (foldlM)
 import Data.Int (Int32)
 import Data.List (foldl')
 import Data.Maybe (fromMaybe)
-import Data.Primitive.PrimArray (PrimArray, foldlPrimArray', indexPrimArray, sizeofPrimArray)
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.IntegerRoot (bitLength)
 
 -- | A point of the plane with exact coordinates, in the units of the file.
@@ -75,17 +66,12 @@ data Lattice = Lattice !Integer !Vector2
 --
 -- /Cost/ O(n) multiplications of the coordinates' size.
 latticeFor :: [Point] -> Lattice
-latticeFor points = latticeOver (const points) [()]
-
--- | The same for the points of several things, which are looked at anew in each of several passes: so none need be
--- kept.
-latticeOver :: (a -> [Point]) -> [a] -> Lattice
-latticeOver pointsOf items = case foldl' (\found item -> foldl' widened found (pointsOf item)) Nothing items of
+latticeFor points = case foldl' widened Nothing points of
   Nothing -> Lattice 1 (Vector2 0 0)
   Just (Corner left bottom longest) -> Lattice scale (Vector2 (below left) (below bottom))
     where
       below v = floor (v * (scale % 1))
-      scale = fromMaybe 1 (foldlM (\found item -> foldlM common found (pointsOf item)) 1 items)
+      scale = fromMaybe 1 (foldlM common 1 points)
       common found point
         | own == 1 = Just found
         | bitLength found' > 64 + 4 * longest = Nothing
@@ -172,81 +158,16 @@ data Places
 
 -- | /Cost/ O(n).
 placesFrom :: [LatticePoint] -> Places
-placesFrom points = placesOver (const points) [()]
+placesFrom points
+  | all isSmall points = SmallPlaces (U.fromList (concat [[fromInteger x, fromInteger y] | LatticePoint x y _ <- points]))
+  | otherwise = LargePlaces (V.fromList points)
+  where
+    isSmall (LatticePoint x y w) = w == 1 && inRange x && inRange y
+    inRange v = v >= 0 && v < 1 `shiftL` 31
 
 -- | The places of a file's points.
 placesOn :: Lattice -> [Point] -> Places
 placesOn lattice = placesFrom . map (ontoLattice lattice)
-
--- | All points of several things, which are looked at anew in each of several passes: so none need be kept.
-placesOver :: (a -> [LatticePoint]) -> [a] -> Places
-placesOver pointsOf items
-  | U.any (< 0) small = LargePlaces (V.fromList (concatMap pointsOf items))
-  | otherwise = SmallPlaces small
-  where
-    small = U.fromList (concatMap (concatMap both . pointsOf) items)
-    both (LatticePoint x y w)
-      | w == 1 && inRange x && inRange y = [fromInteger x, fromInteger y]
-      | otherwise = [-1]
-    inRange v = v >= 0 && v < 1 `shiftL` 31
-
--- | The lattice and all places in it of groups of points, given by the least common denominator of each group and by x
--- and y of point i times that at 2i and 2i+1, where machine integers do: the places are small then.
---
--- /Degenerate cases/ 'Nothing' where there is no point.
---
--- /Cost/ O(n).
---
--- /Laws/ the lattice is that of 'latticeOver', and the places are those of 'placesOver', if there is anything; there is
--- where coordinates times the common denominator of all are less than 2^62 in size, and the places small.
-machinePlaces :: [(Int, PrimArray Int)] -> Maybe (Lattice, Places)
-machinePlaces groups = do
-  -- One of 62 bits is never longer than 'latticeOver' allows.
-  scale <- foldlM common 1 (map fst groups)
-  guard (all (\(d, table) -> foldlPrimArray' (\fits n -> fits && inSize (scale `quot` d) n) True table) groups)
-  (left, right) <- extent scale 0
-  (bottom, top) <- extent scale 1
-  guard (right - left < 1 `shiftL` 31 && top - bottom < 1 `shiftL` 31)
-  Just (Lattice (toInteger scale) (Vector2 (toInteger left) (toInteger bottom)), SmallPlaces (moved scale left bottom))
-  where
-    common found d
-      | found `rem` d == 0 = Just found
-      | joined < limit = Just (fromInteger joined)
-      | otherwise = Nothing
-      where
-        joined = toInteger found `lcm` toInteger d
-    limit = 1 `shiftL` 62 :: Integer
-    -- So that no difference overflows.
-    inSize factor n = negate most <= n && n <= most
-      where
-        most = (1 `shiftL` 62 - 1) `quot` factor
-    extent scale part = case foldl' (widest scale part) (maxBound, minBound) groups of
-      (low, high)
-        | low <= high -> Just (low, high)
-        | otherwise -> Nothing
-    widest :: Int -> Int -> (Int, Int) -> (Int, PrimArray Int) -> (Int, Int)
-    widest scale part (low, high) (d, table) = go part low high
-      where
-        factor = scale `quot` d
-        go !k !a !b
-          | k >= sizeofPrimArray table = (a, b)
-          | otherwise = let v = factor * indexPrimArray table k in go (k + 2) (min a v) (max b v)
-    moved scale left bottom = U.create $ do
-      filled <- M.new (sum (map (sizeofPrimArray . snd) groups))
-      forM_ (zip (scanl (+) 0 (map (sizeofPrimArray . snd) groups)) groups) $ \(start, (d, table)) ->
-        let factor = scale `quot` d
-            go !k
-              | k >= sizeofPrimArray table = pure ()
-              | otherwise = do
-                  M.write filled (start + k) (fromIntegral (factor * indexPrimArray table k - left))
-                  M.write filled (start + k + 1) (fromIntegral (factor * indexPrimArray table (k + 1) - bottom))
-                  go (k + 2)
-         in go 0
-      pure filled
-
--- | The places at the ends of vectors from the origin.
-wholePlaces :: [Vector2] -> Places
-wholePlaces vectors = placesFrom [LatticePoint x y 1 | Vector2 x y <- vectors]
 
 -- | /Requires/ an index below the number of points.
 placeAt :: Places -> Int -> LatticePoint

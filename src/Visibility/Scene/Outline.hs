@@ -31,7 +31,6 @@ module Visibility.Scene.Outline
   ) where
 
 import Data.Int (Int32)
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
@@ -86,10 +85,9 @@ outline shapes =
     }
   where
     firsts = U.fromList (scanl (+) 0 (map (cornerTotal . snd) shapes))
-    (lattice, places) = fromMaybe onAny (traverse (machineCorners . snd) shapes >>= machinePlaces)
-    onAny = (anyLattice, placesOver (map (ontoLattice anyLattice) . rawCorners . snd) shapes)
-    anyLattice = latticeOver (rawCorners . snd) shapes
-    r = ranked places
+    points = concatMap (rawCorners . snd) shapes
+    lattice = latticeFor points
+    r = ranked (placesOn lattice points)
     order = lexicographic r
     steps = U.zipWith step order (U.drop 1 order)
     step i j = if samePlace r (fromIntegral i) (fromIntegral j) then 0 else 1

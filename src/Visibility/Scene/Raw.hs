@@ -1,16 +1,12 @@
-{-# LANGUAGE PatternSynonyms #-}
-{-# LANGUAGE ViewPatterns #-}
-
 -- | A scene as a file states it, before anything has been checked.
 module Visibility.Scene.Raw
   ( RawScene (..)
-  , RawPolygon (RawPolygon, rawPolygonName, rawForm, rawCorners, rawMaterial, rawSides)
+  , RawPolygon (..)
   , Form (..)
   , rawPolygon
   , rawWall
   , described
   , cornerTotal
-  , machineCorners
   , sideTotal
   , Material (..)
   , black
@@ -18,10 +14,8 @@ module Visibility.Scene.Raw
   ) where
 
 import qualified Data.Map.Strict as Map
-import Data.Primitive.PrimArray (PrimArray)
 import Data.Text (Text)
 import Visibility.Exact.Point (Point)
-import Visibility.Scene.Packed
 
 -- | What a file says. Nothing in it need be valid: see "Visibility.Scene.Validate".
 data RawScene = RawScene
@@ -31,36 +25,16 @@ data RawScene = RawScene
   }
   deriving (Eq, Show)
 
--- | A polygon with its corners in the file's order, in either orientation; or a thin wall. In memory the corners are
--- packed; who looks at them, by 'RawPolygon' and 'rawCorners', unpacks them each time anew.
-data RawPolygon = PackedPolygon
-  { packedName :: !(Maybe Text)
-  , packedForm :: !Form
-  , packedCorners :: !Packed
-  , packedMaterial :: !Material
-  , packedSides :: !(Map.Map Int MaterialOverride)
+-- | A polygon with its corners in the file's order, in either orientation; or a thin wall.
+data RawPolygon = RawPolygon
+  { rawPolygonName :: !(Maybe Text)
+  , rawForm :: !Form
+  , rawCorners :: ![Point]
+  , rawMaterial :: !Material
+  , rawSides :: !(Map.Map Int MaterialOverride)
+  -- ^ What the file says of single sides, by its side number.
   }
-  deriving (Eq)
-
--- | The name, the form, the corners, the material, and what the file says of single sides, by the file's side number.
-pattern RawPolygon :: Maybe Text -> Form -> [Point] -> Material -> Map.Map Int MaterialOverride -> RawPolygon
-pattern RawPolygon {rawPolygonName, rawForm, rawCorners, rawMaterial, rawSides} <-
-  PackedPolygon rawPolygonName rawForm (unpacked -> rawCorners) rawMaterial rawSides
-  where
-    RawPolygon name form corners = PackedPolygon name form (packed corners)
-
-{-# COMPLETE RawPolygon #-}
-
--- | As it is made.
-instance Show RawPolygon where
-  showsPrec p (RawPolygon name form corners material sides) =
-    showParen (p > 10) $
-      showString "RawPolygon "
-        . (showsPrec 11 name . showString " ")
-        . (showsPrec 11 form . showString " ")
-        . (showsPrec 11 corners . showString " ")
-        . (showsPrec 11 material . showString " ")
-        . showsPrec 11 sides
+  deriving (Eq, Show)
 
 -- | How a polygon's corners are joined.
 data Form
@@ -81,21 +55,16 @@ rawPolygon points = RawPolygon Nothing form points black Map.empty
 
 -- | A nameless black thin wall that emits nothing.
 rawWall :: [Point] -> RawPolygon
-rawWall points = (rawPolygon points) {packedForm = Polyline}
+rawWall points = (rawPolygon points) {rawForm = Polyline}
 
--- | The same outline with this name, this material and these sides. (Other than a change of fields, this does not look
--- at the corners.)
+-- | The same outline with this name, this material and these sides.
 described :: Maybe Text -> RawPolygon -> Material -> Map.Map Int MaterialOverride -> RawPolygon
 described name polygon material sides =
-  polygon {packedName = name, packedMaterial = material, packedSides = sides}
+  polygon {rawPolygonName = name, rawMaterial = material, rawSides = sides}
 
--- | How many corners a polygon has. /Cost/ O(1).
+-- | How many corners a polygon has. /Cost/ O(n).
 cornerTotal :: RawPolygon -> Int
-cornerTotal = packedLength . packedCorners
-
--- | The corners of a polygon in machine integers, where these do: see 'machineTable'. /Cost/ O(1).
-machineCorners :: RawPolygon -> Maybe (Int, PrimArray Int)
-machineCorners = machineTable . packedCorners
+cornerTotal = length . rawCorners
 
 -- | How many sides a polygon has.
 sideTotal :: RawPolygon -> Int

@@ -1,8 +1,7 @@
 module Visibility.Exact.LatticeSpec (spec) where
 
-import Data.Ratio (denominator, numerator, (%))
+import Data.Ratio (denominator, (%))
 import qualified Data.Vector.Unboxed as U
-import qualified GHC.Exts as Exts
 import Test.Hspec
 import Test.QuickCheck
 import Visibility.Exact.IntegerRoot (bitLength)
@@ -78,24 +77,6 @@ spec = do
       , p <- [LatticePoint k 0 1, LatticePoint 0 k 1, LatticePoint 1 k 2]
       ]
         `shouldBe` [True, True, False, False, False, False]
-    it "are found in machine integers exactly where the common denominator and all numbers have 62 bits, and are small" $
-      forAll machineGroups $ \groups ->
-        let points = concat groups
-            commonOf ps = foldr lcm 1 (concat [[denominator x, denominator y] | Point x y <- ps])
-            scaled ps v = fromInteger (numerator (v * fromInteger (commonOf ps)))
-            machine =
-              [ (fromInteger (commonOf ps), Exts.fromList (concat [[scaled ps x, scaled ps y] | Point x y <- ps]))
-              | ps <- groups
-              ]
-            l = latticeOver id groups
-            places = placesOver (map (ontoLattice l)) groups
-            common = commonOf points
-            sizes = [ceiling (abs v * fromInteger common) | Point x y <- points, v <- [x, y]]
-            inSize = all (< 2 ^ (62 :: Int)) (common : sizes)
-            isMachine = inSize && isSmall places && not (null points)
-         in cover 20 isMachine "so" $ cover 20 (not isMachine) "not so" $
-              fmap (fmap (\found -> (isSmall found, placeList found))) (machinePlaces machine)
-                === (if isMachine then Just (l, (True, placeList places)) else Nothing)
     it "can be rearranged" $
       property $ \(SomePoints ps) -> forAll (listOf (choose (0, length ps - 1))) $ \order ->
         let places = placesOn (latticeFor ps) ps
@@ -105,21 +86,6 @@ spec = do
     lowest l ps =
       let (xs, ys) = unzip (map (coordinates . ontoLattice l) ps)
        in counterexample (show (xs, ys)) (all (>= 0) (xs <> ys) && minimum xs < 1 && minimum ys < 1)
-
--- | Groups of points with coordinates that are machine integers over the common denominator of the group, near to the
--- bounds of what can be small, and of what can be computed.
-machineGroups :: Gen [[Point]]
-machineGroups = do
-  offset <- elements [0, 0, 5, 2 ^ (62 :: Int) - 2 ^ (31 :: Int) - 1, negate (2 ^ (62 :: Int)) + 1]
-  width <- elements [9, 2 ^ (30 :: Int), 2 ^ (31 :: Int) - 1, 2 ^ (31 :: Int), 2 ^ (32 :: Int)]
-  denominators <- elements [[1], [1], [1, 2, 3, 10], [1, 2 ^ (40 :: Int), 3 ^ (20 :: Int)]]
-  k <- choose (0, 4)
-  vectorOf k $ do
-    d <- elements denominators
-    n <- choose (1, 6)
-    let coordinate = frequency [(1, choose (0, width)), (3, elements [0, width])]
-        number = (\v -> if d == 1 then fromInteger (offset + v) else v % d) <$> coordinate
-    vectorOf n (Point <$> number <*> number)
 
 -- | Coordinates of which many are equal.
 data Few = Few Rational Rational

@@ -7,6 +7,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
+import Visibility.Exact.SomePoints (wholePlaces)
 
 -- | Three points of a lattice whose corner is the origin: random, or nearly on a line, of every magnitude.
 data Triple = Triple Vector2 Vector2 Vector2

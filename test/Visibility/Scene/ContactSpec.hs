@@ -5,7 +5,8 @@ import qualified Data.Vector.Unboxed as U
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
-import Visibility.Exact.Point (Vector2 (..), wholePlaces)
+import Visibility.Exact.Point (Vector2 (..))
+import Visibility.Exact.SomePoints (wholePlaces)
 import Visibility.Scene.Contact
 
 spec :: Spec
