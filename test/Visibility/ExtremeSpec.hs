@@ -19,7 +19,7 @@ import Visibility.Exact.Point
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding
 import Visibility.FormFactor
-import Visibility.Format.Json.Scene (readScene, sceneDocument)
+import Visibility.Format.Json (readScene, sceneDocument)
 import Visibility.Law (Violation (..))
 import Visibility.Scene
 import Visibility.Scene.Raw

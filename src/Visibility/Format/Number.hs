@@ -1,4 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Exact numbers as files spell them: decimals, integers and fractions.
@@ -15,14 +14,13 @@ module Visibility.Format.Number
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Char (digitToInt, isDigit)
+import Data.Char (isDigit)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import Data.Text (Text)
 import qualified Data.Text.Encoding as Text
 import Visibility.Exact.Rounding (rationalText)
-import Visibility.Format.Bytes
 
 -- | Why a text is not an exact number.
 data NumberFault
@@ -54,38 +52,7 @@ readNumber = readSpelled . Text.encodeUtf8
 
 -- | The same from the bytes of a text in UTF-8.
 readSpelled :: ByteString -> Either NumberFault Rational
-readSpelled bytes = case shortDecimal bytes of
-  Just q -> Right q
-  Nothing -> case Bytes.stripPrefix "-" bytes of
-    Just rest -> negate <$> unsigned rest
-    Nothing -> unsigned bytes
-
--- What most numbers are: an integer or a decimal, with all of its digits in a machine integer. Nothing is said of
--- others.
-shortDecimal :: ByteString -> Maybe Rational
-shortDecimal bytes
-  | size > 18 = Nothing
-  | otherwise = whole start 0
-  where
-    size = Bytes.length bytes
-    isNegative = "-" `Bytes.isPrefixOf` bytes
-    start = if isNegative then 1 else 0
-    signed n = toInteger (if isNegative then negate n else n)
-    whole :: Int -> Int -> Maybe Rational
-    whole !i !n
-      | i == size = if i == start then Nothing else Just (fromInteger (signed n))
-      | isDigit c = whole (i + 1) (10 * n + digitToInt c)
-      | c == '.', i > start, i + 1 < size = part (i + 1) n 1
-      | otherwise = Nothing
-      where
-        c = charAt bytes i
-    part :: Int -> Int -> Int -> Maybe Rational
-    part !i !n !power
-      | i == size = Just (signed n % toInteger power)
-      | isDigit c = part (i + 1) (10 * n + digitToInt c) (10 * power)
-      | otherwise = Nothing
-      where
-        c = charAt bytes i
+readSpelled bytes = maybe (unsigned bytes) (fmap negate . unsigned) (Bytes.stripPrefix "-" bytes)
 
 unsigned :: ByteString -> Either NumberFault Rational
 unsigned text = do
