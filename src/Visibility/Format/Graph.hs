@@ -1,6 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | The visibility graph as lines of text.
+--
+-- Names are copied into the lines in words of eight bytes: put together by bytestring's builder, @graph --unsorted@
+-- takes 1.5 times as long (1 000 quadrilaterals: 0.141 s where this takes 0.095 s).
 module Visibility.Format.Graph
   ( -- * Which pairs
     PairSelection (..)
