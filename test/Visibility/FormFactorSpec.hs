@@ -16,6 +16,7 @@ import Test.QuickCheck hiding (Positive, sample)
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding (Digits, decimal, defaultDigits, digits, nearestDouble)
+import Visibility.Exact.SomeRoots
 import Visibility.Format.File (readSceneFile)
 import Visibility.FormFactor
 import Visibility.Scene

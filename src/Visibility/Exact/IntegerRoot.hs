@@ -7,29 +7,29 @@ module Visibility.Exact.IntegerRoot
   , squareResidues
   ) where
 
-import Data.Bits (setBit, shiftL, shiftR, testBit, (.&.))
+import Data.Bits (setBit, shiftL, shiftR)
 import Data.List (foldl')
 import Data.Maybe (isJust)
 import GHC.Num (integerLog2)
 
 -- | The least k with |n| < 2^k.
 --
--- Example: 0 for 0, 2 for 3, 3 for 4.
+-- /Example/ 0 for 0, 2 for 3, 3 for 4.
 bitLength :: Integer -> Int
 bitLength 0 = 0
 bitLength n = fromIntegral (integerLog2 (abs n)) + 1
 
 -- | The largest integer whose square is at most n.
 --
--- /Degenerate cases:/ 0 for a negative n.
+-- /Degenerate cases/ 0 for a negative n.
 --
--- /Cost:/ that of one division of a number of n's length by one half as long: every Newton step doubles the digits.
+-- /Cost/ that of one division of a number of n's length by one half as long: every Newton step doubles the digits.
 --
--- /Laws:/ r² ≤ n < (r + 1)² for n ≥ 0.
+-- /Laws/ r² ≤ n < (r + 1)² for n ≥ 0.
 --
--- Example: 9 for 99, 10 for 100.
+-- /Example/ 9 for 99, 10 for 100.
 --
--- /Source:/ the recursion is the one of Python's @math.isqrt@ (Dickinson); it stays within one of the root.
+-- /Source/ the recursion is the one of Python's @math.isqrt@ (Dickinson); it stays within one of the root.
 integerSquareRoot :: Integer -> Integer
 integerSquareRoot n
   | n <= 0 = 0
@@ -62,11 +62,9 @@ machineSquareRoot big
     guess = truncate (sqrt (fromIntegral n :: Double)) :: Int
 
 -- | The root of a perfect square.
---
--- /Cost:/ residues modulo 64, 63, 65 and 11 turn away more than 99 in 100 integers without a square root.
 exactSquareRoot :: Integer -> Maybe Integer
 exactSquareRoot n
-  | n >= 0 && mayBeSquare n && r * r == n = Just r
+  | r * r == n = Just r
   | otherwise = Nothing
   where
     r = integerSquareRoot n
@@ -74,22 +72,6 @@ exactSquareRoot n
 -- | Is this a perfect square?
 isSquare :: Integer -> Bool
 isSquare n = n == 1 || isJust (exactSquareRoot n)
-
--- | False only for integers that are no squares.
-mayBeSquare :: Integer -> Bool
-mayBeSquare n =
-  testBit squares64 (fromInteger (n .&. 63))
-    && testBit squares63 (r `rem` 63)
-    && testBit squares65 (r `rem` 65)
-    && testBit squares11 (r `rem` 11)
-  where
-    r = fromInteger (n `rem` 45045) :: Int
-
-squares64, squares63, squares65, squares11 :: Integer
-squares64 = squareResidues 64
-squares63 = squareResidues 63
-squares65 = squareResidues 65
-squares11 = squareResidues 11
 
 -- | The squares modulo m, as bits.
 squareResidues :: Int -> Integer

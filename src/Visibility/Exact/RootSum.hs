@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Exact finite sums of rational multiples of square roots of positive integers.
+-- | Exact finite sums of rational multiples of square roots of positive integers.
 --
 -- Every measure of lines and every form factor of a polygonal scene is such a sum. This module adds them, decides their
 -- sign, and encloses them between rationals as tightly as one likes. Nothing is ever rounded.
@@ -15,19 +14,15 @@ module Visibility.Exact.RootSum
   , rational
   , root
   , hypotenuse
-  , rootOfRational
   , fromTerms
   , terms
-
     -- * Arithmetic
   , plus
   , totalsBy
   , minus
   , negated
   , scaled
-  , timesRoot
   , quotientByRoot
-
     -- * Decisions
   , Sign (..)
   , sign
@@ -35,7 +30,6 @@ module Visibility.Exact.RootSum
   , merged
   , mergedSum
   , asRational
-
     -- * Enclosures
   , enclosure
   , enclosureRelative
@@ -57,9 +51,9 @@ import Visibility.Exact.SquareClass
 --
 -- Equality and order are those of the real numbers, decided exactly; two equal sums may have different 'terms'.
 --
--- Shape: kept by radicand, without zero coefficients. Square classes are merged on demand only, see 'merged'.
+-- /Shape/ kept by radicand, without zero coefficients. Square classes are merged on demand only, see 'merged'.
 --
--- /Laws:/ a commutative group under 'plus'; a vector space over the rationals under 'scaled'; totally ordered.
+-- /Laws/ a commutative group under 'plus'; a vector space over the rationals under 'scaled'; totally ordered.
 data RootSum
   = End
   | -- | Of the least radicand, with the other terms.
@@ -97,7 +91,7 @@ rational c = positiveRoot c 1
 
 -- | @root c n@ is c √n.
 --
--- /Degenerate cases:/ the sum is 'zero' if c or n is; there is none, 'Nothing', if n is negative.
+-- /Degenerate cases/ the sum is 'zero' if c or n is; there is none, 'Nothing', if n is negative.
 root :: Rational -> Integer -> Maybe RootSum
 root c n
   | n < 0 = Nothing
@@ -105,7 +99,7 @@ root c n
 
 -- | @hypotenuse c x y@ is c √(x² + y²): a multiple of the length of an integer vector. Unlike 'root' it cannot fail.
 --
--- Shape: at most one term, its radicand that of the primitive vector (x, y) / gcd(x, y). On the lattice of a scene with
+-- /Shape/ at most one term, its radicand that of the primitive vector (x, y) / gcd(x, y). On the lattice of a scene with
 -- many denominators the gcd is nearly as long as x and y.
 hypotenuse :: Rational -> Integer -> Integer -> RootSum
 hypotenuse c x y
@@ -115,14 +109,10 @@ hypotenuse c x y
     g = gcd x y
     square a = a * a
 
--- | The square root of a rational number, √(p\/q) = (1\/q) √(p q); 'Nothing' for a negative one.
-rootOfRational :: Rational -> Maybe RootSum
-rootOfRational q = root (1 % denominator q) (numerator q * denominator q)
-
 -- | The sum of some terms (coefficient, radicand), in any order, repeated radicands allowed; 'Nothing' if one of the
 -- radicands is negative.
 --
--- /Cost:/ O(t log t) for t terms.
+-- /Cost/ O(t log t) for t terms.
 fromTerms :: [(Rational, Integer)] -> Maybe RootSum
 fromTerms found
   | any ((< 0) . snd) found = Nothing
@@ -130,7 +120,7 @@ fromTerms found
 
 -- | The terms (coefficient, radicand) as they are kept: no zero coefficient, radicands positive and rising.
 --
--- /Laws:/ @fromTerms (terms s) == Just s@, with the same terms.
+-- /Laws/ @fromTerms (terms s) == Just s@, with the same terms.
 terms :: RootSum -> [(Rational, Integer)]
 terms End = []
 terms (Term n c rest) = (c, n) : terms rest
@@ -147,7 +137,7 @@ term n c rest = if c == 0 then rest else Term n c rest
 
 -- | The sum of two sums.
 --
--- /Cost:/ O(a + b) for sums of a and b terms; many are best added by 'mconcat'.
+-- /Cost/ O(a + b) for sums of a and b terms; many are best added by 'mconcat'.
 plus :: RootSum -> RootSum -> RootSum
 plus End b = b
 plus a End = a
@@ -158,7 +148,7 @@ plus a@(Term n c a') b@(Term m d b') = case compare n m of
 
 -- | The total of all sums with each key.
 --
--- /Cost:/ for k sums of t terms in all, O(k log k + t log t).
+-- /Cost/ for k sums of t terms in all, O(k log k + t log t).
 totalsBy :: Ord k => [(k, RootSum)] -> Map k RootSum
 totalsBy found = Map.map mconcat (Map.fromListWith (<>) [(key, [s]) | (key, s) <- found])
 
@@ -181,25 +171,14 @@ mapped :: (Rational -> Rational) -> RootSum -> RootSum
 mapped _ End = End
 mapped f (Term n c rest) = Term n (f c) (mapped f rest)
 
--- | @timesRoot r n s@ is s · r √n; 'Nothing' if n is negative.
---
--- /Cost:/ one greatest common divisor per term, which keeps the new radicands small.
-timesRoot :: Rational -> Integer -> RootSum -> Maybe RootSum
-timesRoot r n s
-  | n < 0 = Nothing
-  | n == 0 || r == 0 = Just zero
-  | otherwise = Just (collected [productOf c m (gcd m n) | (c, m) <- terms s])
-  where
-    productOf c m g = ((m `quot` g) * (n `quot` g), multiplied g (c * r))
-
 -- | @quotientByRoot s r n@ is s \/ (r √n), again a sum of roots: for a form factor, the measure by twice a side's
 -- length.
 --
--- /Degenerate cases:/ 'Nothing' if the divisor r √n is zero or n is negative.
+-- /Degenerate cases/ 'Nothing' if the divisor r √n is zero or n is negative.
 --
--- /Cost:/ that of 'timesRoot'.
+-- /Cost/ one greatest common divisor per term, which keeps the new radicands small.
 --
--- /Laws:/ undone by 'timesRoot'.
+-- /Laws/ undone by the quotient by √n \/ (r n), which is the product with r √n.
 quotientByRoot :: RootSum -> Rational -> Integer -> Maybe RootSum
 quotientByRoot s r n
   | n <= 0 || r == 0 = Nothing
@@ -218,7 +197,7 @@ quotientByRoot s r n
 
 -- | The sum of multiples of roots of positive integers, the radicands first.
 --
--- /Cost:/ linear where the radicands rise.
+-- /Cost/ linear where the radicands rise.
 collected :: [(Integer, Rational)] -> RootSum
 collected = together . sortBy (comparing fst)
   where
@@ -236,11 +215,11 @@ data Sign = Negative | Zero | Positive
 -- Terms of one sign decide at once. Otherwise the sum is enclosed to 64 bits; only if that does not exclude zero are
 -- the square classes merged. A merged sum with a term left is not zero, so doubling the precision must come to an end.
 --
--- /Cost:/ one integer square root per term in all but the hardest cases; a sum that is zero costs what 'merged' costs.
+-- /Cost/ one integer square root per term in all but the hardest cases; a sum that is zero costs what 'merged' costs.
 --
--- /Laws:/ @sign (negated s)@ is opposite; a positive factor keeps it; 'Zero' exactly if the real number is zero.
+-- /Laws/ @sign (negated s)@ is opposite; a positive factor keeps it; 'Zero' exactly if the real number is zero.
 --
--- Example: √10 + √11 − √5 − √18 is positive, about 2·10⁻⁴; √18 + √2 − √32 is zero.
+-- /Example/ √10 + √11 − √5 − √18 is positive, about 2·10⁻⁴; √18 + √2 − √32 is zero.
 sign :: RootSum -> Sign
 sign s = fromMaybe (refine (128 :: Int)) (shown 64 s)
   where
@@ -260,26 +239,26 @@ shown bits s
 
 -- | The order of two sums as real numbers, decided exactly.
 --
--- /Laws:/ @compareRootSums a b@ is the order of @sign (a \`minus\` b)@ and 'Zero'.
+-- /Laws/ @compareRootSums a b@ is the order of @sign (a \`minus\` b)@ and 'Zero'.
 compareRootSums :: RootSum -> RootSum -> Ordering
 compareRootSums a b = compare (sign (a `minus` b)) Zero
 
 -- | The same number, with one term per square class.
 --
--- Shape: perfect squares have become 1, the squares of primes up to 47 have left the radicands, and a class of several
+-- /Shape/ perfect squares have become 1, the squares of primes up to 47 have left the radicands, and a class of several
 -- radicands is represented by their greatest common divisor.
 --
--- /Cost:/ for t terms, t reductions by machine-sized moduli, then a greatest common divisor and two integer square
+-- /Cost/ for t terms, t reductions by machine-sized moduli, then a greatest common divisor and two integer square
 -- roots for each term that shares its class. Terms are first sorted by their classes in ℚ₂, ℚ₃, …, ℚ₄₇, and only terms
 -- equal in all of them are tested against each other.
 --
--- /Laws:/ the value stays. Two sums of equal value have, after merging, equally many terms, and these pair off: equal
+-- /Laws/ the value stays. Two sums of equal value have, after merging, equally many terms, and these pair off: equal
 -- signs, equal c² n. The radicands themselves depend only on the set of radicands that came in; they need not be
 -- square-free. Merging twice is merging once. The number is zero exactly if no term is left.
 --
--- Example: √8 − 2√2 has no term left; √12 + √75 + √4 becomes 2√1 + 7√3.
+-- /Example/ √8 − 2√2 has no term left; √12 + √75 + √4 becomes 2√1 + 7√3.
 --
--- /Source:/ independence of roots of distinct square classes: Besicovitch, On the linear independence of fractional
+-- /Source/ independence of roots of distinct square classes: Besicovitch, On the linear independence of fractional
 -- powers of integers (1940).
 merged :: RootSum -> RootSum
 merged s = foldr (\(n, c) rest -> Term n c rest) zero (mergedTerms [(c, preparedRoot n) | (c, n) <- terms s])
@@ -290,16 +269,14 @@ merged s = foldr (\(n, c) rest -> Term n c rest) zero (mergedTerms [(c, prepared
 --
 -- /Laws/ terms as those of @'merged' ('fromTerms' [(c % d, n), …])@ but for the representatives of classes, which may
 -- differ where radicands cancel.
-mergedSum :: Integral a => Integer -> [(Integer, PreparedRoot a)] -> RootSum
-mergedSum divisor found = foldr (\(n, c) rest -> Term (toInteger n) (part c) rest) zero (mergedTerms found)
+mergedSum :: Integer -> [(Integer, PreparedRoot)] -> RootSum
+mergedSum divisor found = foldr (\(n, c) rest -> Term n (part c) rest) zero (mergedTerms found)
   where
     part c = if divisor == 1 then fromInteger c else c % divisor
-{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Int)] -> RootSum #-}
-{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Integer)] -> RootSum #-}
 
 -- | The rational number that a sum is, if it is one.
 --
--- Example: √4 + √9 is 5; √2 is none.
+-- /Example/ √4 + √9 is 5; √2 is none.
 asRational :: RootSum -> Maybe Rational
 asRational s = case terms (merged s) of
   [] -> Just 0
@@ -308,9 +285,9 @@ asRational s = case terms (merged s) of
 
 -- | @enclosure k s@ is an interval that contains s and is at most 2⁻ᵏ wide; k may be negative.
 --
--- Shape: (lower end, upper end), closed.
+-- /Shape/ (lower end, upper end), closed.
 --
--- /Cost:/ one integer square root per term, of about twice the bits that the term has left of the point and k to the
+-- /Cost/ one integer square root per term, of about twice the bits that the term has left of the point and k to the
 -- right of it. However long the numbers in a term are, only as many leading bits of them are computed with.
 enclosure :: Int -> RootSum -> (Rational, Rational)
 enclosure k s = inUnits (k + guardBits s) s

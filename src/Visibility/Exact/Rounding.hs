@@ -1,5 +1,4 @@
--- |
--- Correctly rounded output of exact numbers.
+-- | Correctly rounded output of exact numbers.
 --
 -- A number is enclosed between two rationals. When both round to the same result, so does the number, because rounding
 -- is monotone. Otherwise the precision is doubled (Ziv's strategy). Only a rational number can lie exactly where the
@@ -13,34 +12,19 @@ module Visibility.Exact.Rounding
   , defaultDigits
   , decimal
   , decimalBetween
-  , decimalQuotient
   , outwardDecimals
-
     -- * Floating point
   , nearestDouble
-
     -- * Exact text
   , rationalText
   ) where
 
-import Control.Monad (guard)
-import Data.Bits (bit, shiftR, (.&.))
+import Data.Bits (bit, shiftL)
 import Data.Ratio (denominator, numerator)
 import qualified Data.Vector as V
 import GHC.Num (integerLog2)
 import Visibility.Exact.DoubleDouble (Scaled (..))
-import Visibility.Exact.RootSum
-  ( RootSum
-  , Sign (Zero)
-  , asRational
-  , enclosureRelative
-  , merged
-  , minus
-  , quotientByRoot
-  , scaled
-  , sign
-  , terms
-  )
+import Visibility.Exact.RootSum (RootSum, asRational, enclosureRelative, merged)
 
 -- | A number of significant decimal digits, at least 1.
 newtype Digits = Digits Int
@@ -61,52 +45,35 @@ defaultDigits = Digits 17
 -- | A sum of roots with N significant digits, correctly rounded; a tie, possible only for a rational, goes to the even
 -- last digit.
 --
--- Shape: trailing zeros are kept. With e the decimal exponent of the leading digit after rounding, the notation is
+-- /Shape/ trailing zeros are kept. With e the decimal exponent of the leading digit after rounding, the notation is
 -- positional if −2 ≤ e < N and else scientific, as in @4.08e-3@ or @1.23e7@.
 --
--- /Degenerate cases:/ zero is @0@ whatever N.
+-- /Degenerate cases/ zero is @0@ whatever N.
 --
--- /Cost:/ one integer square root of about 7 N bits per term, unless the digits following the N-th are extreme.
+-- /Cost/ one integer square root of about 7 N bits per term, unless the digits following the N-th are extreme.
 --
--- /Laws:/ off by at most half a unit of the last digit; odd in its argument but for the minus sign.
+-- /Laws/ off by at most half a unit of the last digit; odd in its argument but for the minus sign.
 --
--- Example: 1\/8 with two digits is @0.12@, 3\/8 is @0.38@, and 9995\/1000 with three is @10.0@.
+-- /Example/ 1\/8 with two digits is @0.12@, 3\/8 is @0.38@, and 9995\/1000 with three is @10.0@.
 --
--- /Source:/ Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit (1991).
+-- /Source/ Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit (1991).
 decimal :: Digits -> RootSum -> String
 decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
 
--- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one, neither is a
--- tie, and no power of ten is in between.
+-- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one.
 --
--- /Cost:/ a multiplication and a shift of numbers with as many bits as the enclosure and the digits have.
+-- /Cost/ two quotients of integers with as many bits as the enclosure and the digits have.
 --
--- /Laws:/ it is the 'decimal' of each rational in the enclosure.
+-- /Degenerate cases/ 'Nothing' for an enclosure that is not positive.
 --
--- /Degenerate cases:/ 'Nothing' for numbers of 10ᴺ or more, and for a positive exponent of the enclosure.
+-- /Laws/ it is the 'decimal' of each rational in the enclosure.
 decimalBetween :: Digits -> Scaled -> Maybe String
-decimalBetween n@(Digits count) (Scaled low high k)
-  | k > 0 || low <= 0 = Nothing
-  | otherwise = place ((toInteger (integerLog2' low + k) * 30103) `div` 100000)
+decimalBetween n (Scaled low high k)
+  | low > 0 && found == end high = Just (written n found)
+  | otherwise = Nothing
   where
-    integerLog2' = fromIntegral . integerLog2
-    (least, limit) = (powerOfTen (count - 1), powerOfTen count)
-    -- The estimate may be off; the digits before the point tell.
-    place exponent'
-      | shift' < 0 = Nothing
-      | halves < 2 * least = place (exponent' - 1)
-      | halves >= 2 * limit = place (exponent' + 1)
-      | nearest /= nearestTo (halvesOf high) || odd halves && times low .&. (bit (negate k) - 1) == 0 = Nothing
-      | nearest == limit = Just (written n (Decimal least (fromInteger exponent' + 1)))
-      | otherwise = Just (written n (Decimal nearest (fromInteger exponent')))
-      where
-        shift' = count - 1 - fromInteger exponent'
-        times x = 2 * powerOfTen shift' * x
-        -- Twice the number in units of its last digit, rounded down; a tie where it is odd and nothing was cut off.
-        halvesOf x = times x `shiftR` negate k
-        halves = halvesOf low
-        nearest = nearestTo halves
-        nearestTo twice = (twice + 1) `shiftR` 1
+    found = end low
+    end a = positiveDecimal Nearest n (a `shiftL` max 0 k) (bit (max 0 (negate k)))
 
 powerOfTen :: Int -> Integer
 powerOfTen k
@@ -116,22 +83,14 @@ powerOfTen k
     powers = V.iterateN 64 (* 10) 1
 {-# NOINLINE powerOfTen #-}
 
--- | The quotient of two sums of roots, written like 'decimal'; 'Nothing' if the divisor is zero.
---
--- /Laws:/ agrees with 'decimal' of the quotient where that is a sum of roots known beforehand.
-decimalQuotient :: Digits -> RootSum -> RootSum -> Maybe String
-decimalQuotient n a b = do
-  value <- quotientValue (firstBits n) a b
-  Just (written n (rounded (nearestDecimal n) value))
-
 -- | Two rationals written like 'decimal', but rounded outwards: the first one downwards, the second one upwards.
 --
--- /Degenerate cases:/ zero is @0@ whatever N.
+-- /Degenerate cases/ zero is @0@ whatever N.
 --
--- /Laws:/ what is written encloses the interval; an end that has N digits or less stays. Each end moves by less than a
+-- /Laws/ what is written encloses the interval; an end that has N digits or less stays. Each end moves by less than a
 -- unit of its last digit.
 --
--- Example: (1\/3, 2\/3) with two digits is @0.33@, @0.67@.
+-- /Example/ (1\/3, 2\/3) with two digits is @0.33@, @0.67@.
 outwardDecimals :: Digits -> (Rational, Rational) -> (String, String)
 outwardDecimals n (low, high) = (written n (toDecimal Downwards n low), written n (toDecimal Upwards n high))
 
@@ -141,11 +100,11 @@ firstBits (Digits n) = 10 * n `quot` 3 + 28
 
 -- | The Double nearest to a sum of roots; a tie, possible only for a rational, goes to the even significand.
 --
--- /Degenerate cases:/ from 2¹⁰²⁴ − 2⁹⁷⁰ on, in absolute value, the result is an infinity of the right sign, as IEEE 754
+-- /Degenerate cases/ from 2¹⁰²⁴ − 2⁹⁷⁰ on, in absolute value, the result is an infinity of the right sign, as IEEE 754
 -- has it. Subnormal results are rounded once. A nonzero number of absolute value 2⁻¹⁰⁷⁵ or less gives 0, or −0 if
 -- negative.
 --
--- /Laws:/ exact on numbers that are Doubles; monotone.
+-- /Laws/ exact on numbers that are Doubles; monotone.
 nearestDouble :: RootSum -> Double
 nearestDouble s = rounded fromRational (sumValue 80 s)
 
@@ -185,32 +144,6 @@ sumValue bits s =
     , settled = maybe (IsIrrational (\k -> awayFromZero (enclosureRelative k (merged s)))) IsRational (asRational s)
     }
 
-quotientValue :: Int -> RootSum -> RootSum -> Maybe Value
-quotientValue bits a b = do
-  guard (sign b /= Zero)
-  Just Value {firstLook = within bits a b, settled = maybe (IsIrrational refined) IsRational (rationalRatio a b)}
-  where
-    refined k = within k (merged a) (merged b)
-    within k x y = do
-      (lowA, highA) <- awayFromZero (enclosureRelative k x)
-      (lowB, highB) <- awayFromZero (enclosureRelative k y)
-      let corners = [p / q | p <- [lowA, highA], q <- [lowB, highB]]
-      Just (minimum corners, maximum corners)
-
--- | The quotient, if it is rational. The sums are then proportional class by class, so the class of one term of the
--- divisor yields the only candidate.
-rationalRatio :: RootSum -> RootSum -> Maybe Rational
-rationalRatio a b = do
-  (c, n) <- firstTerm (merged b)
-  quotient <- quotientByRoot a c n
-  let candidate = sum [r | (r, 1) <- terms (merged quotient)]
-  guard (sign (a `minus` scaled candidate b) == Zero)
-  Just candidate
-  where
-    firstTerm s = case terms s of
-      [] -> Nothing
-      term : _ -> Just term
-
 awayFromZero :: (Rational, Rational) -> Maybe (Rational, Rational)
 awayFromZero (low, high)
   | low > 0 || high < 0 = Just (low, high)
@@ -232,7 +165,7 @@ nearestDecimal :: Digits -> Rational -> Decimal
 nearestDecimal = toDecimal Nearest
 
 toDecimal :: Toward -> Digits -> Rational -> Decimal
-toDecimal toward (Digits n) q
+toDecimal toward n q
   | q == 0 = Decimal 0 0
   | q < 0 = let Decimal m e = positive (opposite toward) (negate q) in Decimal (negate m) e
   | otherwise = positive toward q
@@ -240,31 +173,31 @@ toDecimal toward (Digits n) q
     opposite Nearest = Nearest
     opposite Downwards = Upwards
     opposite Upwards = Downwards
-    (least, limit) = (10 ^ (n - 1), 10 ^ n) :: (Integer, Integer)
-    positive way a = place way a (estimatedExponent a)
-    -- The estimate may be off; the digits before the point tell.
-    place way a e
-      | whole < least = place way a (e - 1)
-      | whole >= limit = place way a (e + 1)
+    positive way a = positiveDecimal way n (numerator a) (denominator a)
+
+-- | The decimal of a quotient of two positive integers. The exponent is estimated from their lengths in bits, which is
+-- nearly always at most one off; the digits before the point tell.
+positiveDecimal :: Toward -> Digits -> Integer -> Integer -> Decimal
+positiveDecimal toward (Digits n) a b = place (fromInteger ((bits a - bits b) * 30103 `div` 100000))
+  where
+    bits = toInteger . integerLog2
+    (least, limit) = (powerOfTen (n - 1), powerOfTen n)
+    place e
+      | whole < least = place (e - 1)
+      | whole >= limit = place (e + 1)
       | up + whole == limit = Decimal least (e + 1)
       | otherwise = Decimal (up + whole) e
       where
         shift = n - 1 - e
-        (x, y) = (numerator a * 10 ^ max 0 shift, denominator a * 10 ^ max 0 (negate shift))
-        (whole, rest) = x `quotRem` y
-        up = case way of
+        y = b * powerOfTen (max 0 (negate shift))
+        (whole, rest) = (a * powerOfTen (max 0 shift)) `quotRem` y
+        up = case toward of
           Downwards -> 0
           Upwards -> if rest == 0 then 0 else 1
           Nearest -> case compare (2 * rest) y of
             LT -> 0
             EQ -> whole `rem` 2
             GT -> 1
-
--- | The decimal exponent of a positive rational, from the lengths of its parts in bits; nearly always at most one off.
-estimatedExponent :: Rational -> Int
-estimatedExponent q = fromInteger ((bits (numerator q) - bits (denominator q)) * 30103 `div` 100000)
-  where
-    bits = toInteger . integerLog2
 
 written :: Digits -> Decimal -> String
 written (Digits n) (Decimal m e)

@@ -1,8 +1,7 @@
 {-# LANGUAGE MagicHash #-}
 {-# LANGUAGE UnboxedTuples #-}
 
--- |
--- The shortest decimal that is read back as a Double.
+-- | The shortest decimal that is read back as a Double.
 module Visibility.Exact.Shortest
   ( shortest
   ) where
@@ -15,19 +14,19 @@ import GHC.Float (castDoubleToWord64)
 
 -- | The shortest decimal that the given Double is the nearest one to; of several the one that is nearest to it.
 --
--- /Shape:/ positional for 10⁻⁶ ≤ x < 10²¹, else scientific, as in @1.5e-7@ or @1e21@. There are no trailing zeros
+-- /Shape/ positional for 10⁻⁶ ≤ x < 10²¹, else scientific, as in @1.5e-7@ or @1e21@. There are no trailing zeros
 -- behind a point.
 --
--- /Degenerate cases:/ 0 is @0@. Where a decimal is half-way between two Doubles, it is read as the one with the even
+-- /Degenerate cases/ 0 is @0@. Where a decimal is half-way between two Doubles, it is read as the one with the even
 -- significand.
 --
--- /Requires:/ a finite number that is not negative; the sign is not looked at.
+-- /Requires/ a finite number that is not negative; the sign is not looked at.
 --
--- /Cost:/ six multiplications of machine words, and as many divisions as there are trailing zeros.
+-- /Cost/ six multiplications of machine words, and as many divisions as there are trailing zeros.
 --
--- /Laws:/ reading it gives the number; no decimal with fewer digits does; none of as many is nearer.
+-- /Laws/ reading it gives the number; no decimal with fewer digits does; none of as many is nearer.
 --
--- Example: 1\/10 is @0.1@, the next Double is @0.10000000000000002@.
+-- /Example/ 1\/10 is @0.1@, the next Double is @0.10000000000000002@.
 shortest :: Double -> Builder
 shortest x
   | fraction == 0 && biased == 0 = char7 '0'
@@ -47,7 +46,7 @@ data Decimal = Decimal !Word !Int
 -- multiple of 10ᵏ lies in it, and at most one of 10ᵏ⁺¹. All comparisons are those of multiples of 4·10ᵏ with the
 -- Double and both ends, each times 4, cut down to an integer, and made odd if something was cut off.
 --
--- /Source:/ Giulietti, The Schubfach way to render doubles (2020).
+-- /Source/ Giulietti, The Schubfach way to render doubles (2020).
 shortestDecimal :: Word -> Int -> Decimal
 shortestDecimal fraction biased
   | s >= 10 && tenBelow /= tenAbove = stripped (if tenBelow then s `quot` 10 else s `quot` 10 + 1) (k + 1)

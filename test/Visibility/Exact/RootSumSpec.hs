@@ -14,6 +14,7 @@ import Test.QuickCheck hiding (Negative, Positive)
 import Visibility.Exact.Bisection (bisected)
 import Visibility.Exact.IntegerRoot (exactSquareRoot)
 import Visibility.Exact.RootSum
+import Visibility.Exact.SomeRoots
 
 -- | c √(k² · product of distinct primes): the square class is known by construction.
 data Spelt = Spelt Rational Integer (Set.Set Integer)

@@ -11,6 +11,7 @@ import Visibility.Complex.Law (violations)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Exact.SomeRoots
 import Visibility.FormFactor
 import Visibility.Mesh
 import Visibility.Mesh.Type (Mesh (..))
@@ -208,7 +209,7 @@ leaving cut =
 byLength :: Scene -> FormFactor -> RootSum
 byLength scene f = mconcat (mapMaybe times (RootSum.terms (sideLength scene (factorFrom f))))
   where
-    times (c, n) = RootSum.timesRoot c n (factorValue f)
+    times (c, n) = timesRoot c n (factorValue f)
 
 -- | Rows that add up to 1, measures that close, |s| F(s, t) = |t| F(t, s).
 lawful :: Refined -> Property

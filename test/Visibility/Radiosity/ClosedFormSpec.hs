@@ -15,6 +15,7 @@ import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum
 import Visibility.Exact.Rounding (defaultDigits, digits)
+import Visibility.Exact.SomeRoots
 import Visibility.FormFactor
 import Visibility.Mesh
 import Visibility.Radiosity
