@@ -7,7 +7,7 @@ module Command.Query
   ) where
 
 import Command.Mesh (divided)
-import Data.ByteString.Builder (stringUtf8)
+import Data.ByteString.Builder (string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
 import Options
 import Progress (withProgress)
@@ -18,7 +18,7 @@ import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Count (count)
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument, polygonDocument)
-import Visibility.Format.Factors (Detail (..), Naming (..), decimalDocument, exactDocument, nearestDocument)
+import Visibility.Format.Factors (Detail (..), decimalDocument, exactDocument, nearestDocument, sideBuilder)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
 import Visibility.Mesh (Refined (..), elementNames)
@@ -49,8 +49,8 @@ runFactors :: Common -> FactorOptions -> IO ()
 runFactors common options = withScene common $ \file -> divided common (factorElements options) file $ \cut -> do
   let scene = refinedScene cut
       names = case factorElements options of
-        WholeSides -> OwnNames
-        ElementsOf _ -> ElementNames (elementNames cut)
+        WholeSides -> sideBuilder
+        ElementsOf _ -> string7 . elementNames cut
   sums <- measuring common scene
   case factorValues options of
     Decimals wanted WithExactMeasures ->

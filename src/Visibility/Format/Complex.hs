@@ -6,16 +6,14 @@ module Visibility.Format.Complex
   , polygonDocument
   ) where
 
-import Data.Aeson.Encoding (Encoding, int, list, null_, pair, pairs, string)
-import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, char7)
+import Data.Aeson.Encoding (Encoding, Series, int, list, null_, pair, pairs, string)
+import Data.ByteString.Builder (Builder)
 import qualified Data.Vector as V
 import Visibility.Complex.Canonical
 import Visibility.Complex.Polygons
 import Visibility.Complex.Type
-import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..), primitive)
-import Visibility.Exact.Rounding (rationalText)
+import Visibility.Format.Json.Document
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Sweep.Vertex
@@ -32,7 +30,7 @@ import Visibility.View (End (..), Flank (..), View (..))
 -- /Cost/ O(m log m).
 complexDocument :: Complex -> Builder
 complexDocument complex =
-  document complex $
+  complexOf complex $
     pair "vertices" (list (vertexEntry complex) (orderedVertices numbering))
       <> pair "edges" (list (edgeEntry complex numbering) (orderedEdges numbering))
       <> pair "faces" (list (faceEntry complex numbering) (orderedFaces numbering))
@@ -41,13 +39,10 @@ complexDocument complex =
     numbering = canonicalNumbering complex
 
 -- | A document on a complex, which begins with the corners of the scene.
-document :: Complex -> Aeson.Series -> Builder
-document complex content = Aeson.fromEncoding (pairs (preamble <> content)) <> char7 '\n'
+complexOf :: Complex -> Series -> Builder
+complexOf complex content = document (pair "corners" (list corner (statedCorners (complexScene complex))) <> content)
   where
-    preamble = pair "format" (string "viscomplex/1") <> pair "corners" (list corner stated)
-    stated = statedCorners (complexScene complex)
-    corner (name, Point x y) =
-      pairs (pair "id" (string (cornerText name)) <> pair "at" (list (string . rationalText) [x, y]))
+    corner (name, at) = pairs (pair "id" (string (cornerText name)) <> pair "at" (exactPoint at))
 
 -- | The complex of polygons, in its own order: it depends on the scene only, to the last byte.
 --
@@ -56,7 +51,7 @@ document complex content = Aeson.fromEncoding (pairs (preamble <> content)) <> c
 --
 -- /Cost/ O(m log m).
 polygonDocument :: PolygonComplex -> Builder
-polygonDocument made = document complex $ case outlines made of
+polygonDocument made = complexOf complex $ case outlines made of
   Nothing -> pair "faces" (list (\face -> pairs (labels face <> parts face)) (V.toList (regions made)))
   Just found ->
     pair "vertices" (list lineEntry (V.toList (tangentLines found)))
@@ -115,7 +110,7 @@ vertexEntry complex v =
     scene = complexScene complex
 
 -- | The direction of a vertex and the ends of its segment: an object, or the corner where it ends.
-segment :: Complex -> VertexId -> (Object -> Encoding) -> (CornerId -> Encoding) -> Aeson.Series
+segment :: Complex -> VertexId -> (Object -> Encoding) -> (CornerId -> Encoding) -> Series
 segment complex v object corner =
   pair "direction" (list (string . show) [dx, dy])
     <> pair "back" (maybe (corner (vertexFirst vertex)) object (vertexBack complex v))
@@ -151,13 +146,13 @@ edgeEntry complex numbering e =
 buriedEntry :: Complex -> Numbering -> EdgeId -> Encoding
 buriedEntry complex numbering e = pairs (ends complex numbering e <> flanks complex numbering e)
 
-ends :: Complex -> Numbering -> EdgeId -> Aeson.Series
+ends :: Complex -> Numbering -> EdgeId -> Series
 ends complex numbering e =
   pair "corner" (string (nameOf (complexScene complex) (edgeCorner complex e)))
     <> pair "from" (int (vertexNumber numbering (edgeFirst complex e)))
     <> pair "to" (int (vertexNumber numbering (edgeLast complex e)))
 
-flanks :: Complex -> Numbering -> EdgeId -> Aeson.Series
+flanks :: Complex -> Numbering -> EdgeId -> Series
 flanks complex numbering e = pair "above" (faces Above) <> pair "below" (faces Below)
   where
     faces flank = list (int . faceNumber numbering) (edgeFacesOn complex e flank)

@@ -4,23 +4,25 @@
 module Visibility.Format.Factors
   ( FactorFormat (..)
   , Detail (..)
-  , Naming (..)
+  , Naming
+  , sideBuilder
   , exactDocument
   , decimalDocument
   , nearestDocument
   , exactTerms
   ) where
 
-import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
-import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, byteString, char7, intDec, integerDec, string7)
+import Data.Aeson.Encoding (Encoding, list, pair, pairs)
+import Data.ByteString.Builder (Builder, byteString, char7, intDec, integerDec, string7, toLazyByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Ratio (denominator, numerator)
+import qualified Data.ByteString.Lazy as Lazy
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.Exact.Shortest (shortest)
 import Visibility.FormFactor
+import Visibility.Format.Json.Document (ascii, exact, rationalBuilder)
+import qualified Visibility.Format.Json.Document as Json
 import Visibility.Scene
 
 -- | The formats that a form factor matrix is written in.
@@ -31,12 +33,8 @@ data FactorFormat = FactorsCsv | FactorsJson | FactorsText
 data Detail = DecimalsOnly | WithExactMeasures
   deriving (Eq, Ord, Show, Enum, Bounded)
 
--- | What sides are called.
-data Naming
-  = -- | By their names.
-    OwnNames
-  | -- | As the elements that they are.
-    ElementNames !(SideName -> String)
+-- | What sides are called: 'sideBuilder', or the names of elements.
+type Naming = SideName -> Builder
 
 -- | The document of form factors with their exact measures. Decimals are correctly rounded to so many significant digits;
 -- factors that are exactly zero are not there.
@@ -69,11 +67,11 @@ nearestDocument :: FactorFormat -> Naming -> Scene -> [FactorRow Double] -> Buil
 nearestDocument format naming scene =
   document format naming (lengthText . sideLength scene) scene plainHeader (\x -> Entry (shortest x) Nothing)
   where
-    lengthText exact
+    lengthText found
       | nearest > 0 && not (isInfinite nearest) = shortest nearest
-      | otherwise = decimalText defaultDigits exact
+      | otherwise = decimalText defaultDigits found
       where
-        nearest = nearestDouble exact
+        nearest = nearestDouble found
 
 -- | A form factor as it is written, and its measure where that is wanted.
 data Entry = Entry !Builder !(Maybe RootSum)
@@ -84,7 +82,7 @@ document
   :: FactorFormat -> Naming -> (SideName -> Builder) -> Scene -> String -> (a -> Entry) -> [FactorRow a] -> Builder
 document format naming lengthOf scene header entry rows = case format of
   FactorsCsv -> string7 header <> foldMap line (concatMap entries rows)
-  FactorsJson -> Aeson.fromEncoding (json naming lengthOf scene (concatMap entries rows)) <> char7 '\n'
+  FactorsJson -> json naming lengthOf scene (concatMap entries rows)
   FactorsText -> foldMap block rows
   where
     entries row = [(rowFrom row, to, entry x) | (to, x) <- rowFactors row]
@@ -96,7 +94,7 @@ decimalText wanted = string7 . decimal wanted
 
 csvRow :: Naming -> SideName -> Seen -> Entry -> Builder
 csvRow naming from to (Entry value measure) =
-  sideBuilder naming from
+  naming from
     <> char7 ','
     <> seenBuilder naming to
     <> char7 ','
@@ -104,49 +102,31 @@ csvRow naming from to (Entry value measure) =
     <> foldMap (\total -> char7 ',' <> rootSum total) measure
     <> char7 '\n'
 
-sideBuilder :: Naming -> SideName -> Builder
-sideBuilder naming side@(SideName polygon k) = case (naming, polygon) of
-  (ElementNames name, _) -> string7 (name side)
-  -- As 'sideText' has it.
-  (OwnNames, Obstacle p) -> intDec p <> char7 '.' <> intDec k
-  (OwnNames, Enclosure) -> string7 "E." <> intDec k
+-- | As 'sideText' has it.
+sideBuilder :: SideName -> Builder
+sideBuilder (SideName polygon k) = case polygon of
+  Obstacle p -> intDec p <> char7 '.' <> intDec k
+  Enclosure -> string7 "E." <> intDec k
 
 seenBuilder :: Naming -> Seen -> Builder
-seenBuilder naming (TheSide s) = sideBuilder naming s
+seenBuilder naming (TheSide s) = naming s
 seenBuilder _ TheSky = string7 (seenText TheSky)
 
-nameOf :: Naming -> SideName -> String
-nameOf naming = case naming of
-  OwnNames -> sideText
-  ElementNames name -> name
-
-nameOfSeen :: Naming -> Seen -> String
-nameOfSeen naming seen = case seen of
-  TheSide s -> nameOf naming s
-  TheSky -> seenText TheSky
-
-json :: Naming -> (SideName -> Builder) -> Scene -> [(SideName, Seen, Entry)] -> Encoding
+json :: Naming -> (SideName -> Builder) -> Scene -> [(SideName, Seen, Entry)] -> Builder
 json naming lengthOf scene entries =
-  pairs $
-    pair "format" (string "viscomplex/1")
-      <> pair "sides" (list side (statedSides scene))
-      <> pair "factors" (list factor entries)
+  Json.document $ pair "sides" (list side (statedSides scene)) <> pair "factors" (list factor entries)
   where
     side s =
       pairs $
-        pair "id" (ascii (sideBuilder naming s))
+        pair "id" (ascii (naming s))
           <> pair "length" (ascii (lengthOf s))
-          <> mconcat [pair "uncovered" (ascii (rationalBuilder part)) | part <- covering scene s]
+          <> mconcat [pair "uncovered" (exact part) | part <- covering scene s]
     factor (from, to, Entry value measure) =
       pairs $
-        pair "from" (ascii (sideBuilder naming from))
+        pair "from" (ascii (naming from))
           <> pair "to" (ascii (seenBuilder naming to))
           <> pair "value" (ascii value)
           <> foldMap (pair "measure" . exactTerms) measure
-
--- | A text that needs no escapes.
-ascii :: Builder -> Encoding
-ascii text = Aeson.unsafeToEncoding (char7 '"' <> text <> char7 '"')
 
 -- | The part of a side that is not covered, where that is not all of it.
 covering :: Scene -> SideName -> [Rational]
@@ -162,7 +142,7 @@ exactTerms = list term . RootSum.terms
 textBlock :: Naming -> (SideName -> Builder) -> Scene -> SideName -> [(Seen, Entry)] -> Builder
 textBlock naming lengthOf scene s entries =
   string7 "side "
-    <> sideBuilder naming s
+    <> naming s
     <> string7 ", length "
     <> lengthOf s
     <> foldMap (\part -> string7 ", " <> rationalBuilder part <> string7 " of it uncovered") (covering scene s)
@@ -170,9 +150,9 @@ textBlock naming lengthOf scene s entries =
     <> foldMap row entries
   where
     row (to, Entry value measure) =
-      string7 ("  " <> padded (nameOfSeen naming to)) <> value <> foldMap exact measure <> char7 '\n'
-    padded text = text <> replicate (max 1 (10 - length text)) ' '
-    exact total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
+      string7 "  " <> padded (seenBuilder naming to) <> value <> foldMap equals measure <> char7 '\n'
+    padded name = name <> string7 (replicate (max 1 (10 - fromIntegral (Lazy.length (toLazyByteString name)))) ' ')
+    equals total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
 
 -- | A sum of roots for people: @1\/2*sqrt(13) - 3@.
 rootSum :: RootSum -> Builder
@@ -186,9 +166,3 @@ rootSum total = case RootSum.terms total of
     magnitude 1 n = root n
     magnitude c n = rationalBuilder c <> char7 '*' <> root n
     root n = string7 "sqrt(" <> integerDec n <> char7 ')'
-
--- | As 'rationalText' has it.
-rationalBuilder :: Rational -> Builder
-rationalBuilder q
-  | denominator q == 1 = integerDec (numerator q)
-  | otherwise = integerDec (numerator q) <> char7 '/' <> integerDec (denominator q)

@@ -7,10 +7,8 @@ module Visibility.Format.Mesh
   ) where
 
 import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
-import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, char7)
-import Visibility.Exact.Point (Point (..))
-import Visibility.Exact.Rounding (rationalText)
+import Data.ByteString.Builder (Builder)
+import Visibility.Format.Json.Document
 import Visibility.Mesh
 import Visibility.Scene
 
@@ -23,9 +21,7 @@ import Visibility.Scene
 --
 -- /Requires/ two meshes of one scene.
 meshDocument :: Mesh -> Mesh -> Builder
-meshDocument kept dropped =
-  Aeson.fromEncoding (pairs (pair "format" (string "viscomplex/1") <> pair "sides" (list side (meshSides kept))))
-    <> char7 '\n'
+meshDocument kept dropped = document (pair "sides" (list side (meshSides kept)))
   where
     scene = meshScene kept
     side (name, points) =
@@ -39,14 +35,13 @@ meshDocument kept dropped =
 breakPoint :: Scene -> BreakPoint -> Encoding
 breakPoint scene point =
   pairs $
-    pair "at" (list (string . rationalText) [x, y])
-      <> pair "parameter" (string (rationalText (breakParameter point)))
+    pair "at" (exactPoint (breakAt point))
+      <> pair "parameter" (exact (breakParameter point))
       <> pair "kind" (string (maybe "equal-parts" kindText (breakKind point)))
       <> case breakCasters point of
         [] -> mempty
         first : others -> cornersOf first <> mconcat [pair "others" (list other others) | not (null others)]
   where
-    Point x y = breakAt point
     cornersOf caster =
       let (near, far) = casterNames scene caster in pair "caster" (list (string . cornerText) [near, far])
     other caster = pairs (cornersOf caster <> pair "kind" (string (kindText (casterKind caster))))

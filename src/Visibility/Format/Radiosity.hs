@@ -6,13 +6,13 @@ module Visibility.Format.Radiosity
   ) where
 
 import Data.Aeson.Encoding (Encoding, Series, int, list, pair, pairs, string)
-import qualified Data.Aeson.Encoding as Aeson
 import Data.Aeson.Key (Key)
-import Data.ByteString.Builder (Builder, char7)
+import Data.ByteString.Builder (Builder)
 import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
+import Visibility.Format.Json.Document
 import Visibility.Format.Number (numberText)
 import Visibility.Mesh.Element
 import Visibility.Radiosity
@@ -27,26 +27,24 @@ import Visibility.Scene.Raw (Material (..))
 --
 -- /Degenerate cases/ where a part of an element is covered, @uncovered@ is the part that is not.
 radiosityDocument :: Radiosity -> Builder
-radiosityDocument found = Aeson.fromEncoding document <> char7 '\n'
+radiosityDocument found =
+  document $
+    pair "elements" (list element (litElements found))
+      <> pair "sides" (list side (sideAverages found))
+      <> pair "iterations" (int (passCount found))
+      <> pair "fill" (string (decimal (few 6) (RootSum.rational fill)))
+      <> power "emitted" "emittedBounds" emittedPower
+      <> power "absorbed" "absorbedBounds" absorbedPower
+      <> power "lost" "lostBounds" lostPower
   where
-    document =
-      pairs $
-        pair "format" (string "viscomplex/1")
-          <> pair "elements" (list element (litElements found))
-          <> pair "sides" (list side (sideAverages found))
-          <> pair "iterations" (int (passCount found))
-          <> pair "fill" (string (decimal (few 6) (RootSum.rational fill)))
-          <> power "emitted" "emittedBounds" emittedPower
-          <> power "absorbed" "absorbedBounds" absorbedPower
-          <> power "lost" "lostBounds" lostPower
     fill = if n == 0 then 0 else toInteger (nonzeroFactors found) % (n * n)
     n = toInteger (length (litElements found))
     element l =
       pairs $
         pair "id" (string (elementText (litElement l)))
-          <> pair "from" (string (rationalText (elementFrom (litElement l))))
-          <> pair "to" (string (rationalText (elementTo (litElement l))))
-          <> mconcat [pair "uncovered" (string (rationalText (litOpen l))) | litOpen l /= 1]
+          <> pair "from" (exact (elementFrom (litElement l)))
+          <> pair "to" (exact (elementTo (litElement l)))
+          <> mconcat [pair "uncovered" (exact (litOpen l)) | litOpen l /= 1]
           <> pair "emission" (string (numberText (emission (litMaterial l))))
           <> pair "reflectivity" (string (numberText (reflectivity (litMaterial l))))
           <> pair "radiosity" (bounds (litRadiosity l))

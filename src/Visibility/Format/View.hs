@@ -9,16 +9,15 @@ module Visibility.Format.View
 
 import Data.Aeson (Key)
 import Data.Aeson.Encoding (Encoding, Series, list, pair, pairs, string)
-import qualified Data.Aeson.Encoding as Aeson
-import Data.ByteString.Builder (Builder, char7)
+import Data.ByteString.Builder (Builder)
 import Data.List (sortOn)
-import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.FormFactor
 import Visibility.Format.Factors (Detail (..), exactTerms)
+import Visibility.Format.Json.Document
 import Visibility.Scene
 import Visibility.Sight
 
@@ -32,7 +31,7 @@ regionDocument :: Viewpoint -> Region -> Builder
 regionDocument viewpoint seen =
   document $
     standing viewpoint
-      <> pair "polygon" (list point (regionPoints seen))
+      <> pair "polygon" (list exactPoint (regionPoints seen))
       <> pair "unbounded" (list vector (concat [[from, to] | (from, to) <- regionUnbounded seen]))
 
 -- | The form factors of an element at a viewpoint, with a normal.
@@ -68,16 +67,13 @@ sideDocument detail wanted side factors =
 
 standing :: Viewpoint -> Series
 standing viewpoint =
-  pair "from" (point (viewpointAt viewpoint))
+  pair "from" (exactPoint (viewpointAt viewpoint))
     <> mconcat [pair "corner" (string (cornerText name)) | AtCorner name _ <- [viewpoint]]
 
-document :: Series -> Builder
-document parts = Aeson.fromEncoding (pairs (pair "format" (string "viscomplex/1") <> parts)) <> char7 '\n'
-
 seenEntry :: Digits -> Seen -> RootSum -> Series -> Encoding
-seenEntry wanted object value exact =
+seenEntry wanted object value measure =
   pairs $
-    pair "id" (string (seenText object)) <> pair "value" (string (decimal wanted value)) <> exact
+    pair "id" (string (seenText object)) <> pair "value" (string (decimal wanted value)) <> measure
 
 exactly :: Detail -> Key -> RootSum -> Series
 exactly detail key value = case detail of
@@ -86,9 +82,6 @@ exactly detail key value = case detail of
 
 notZero :: RootSum -> Bool
 notZero value = RootSum.sign value /= RootSum.Zero
-
-point :: Point -> Encoding
-point (Point x y) = list (string . rationalText) [x, y]
 
 vector :: Direction -> Encoding
 vector (Direction x y) = list (string . show) [x, y]

@@ -4,7 +4,7 @@ module Visibility.Format.FactorsSpec (spec) where
 
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
-import Data.ByteString.Builder (Builder, toLazyByteString)
+import Data.ByteString.Builder (Builder, string7, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isDigit)
 import Data.Foldable (for_)
@@ -43,8 +43,8 @@ squareAndWall wall k = sampleScene <$> sample (RawScene Nothing Nothing (map loo
 document :: FactorFormat -> Detail -> Scene -> [String]
 document format detail scene =
   lines . Lazy.unpack . toLazyByteString $ case detail of
-    DecimalsOnly -> decimalDocument format fourDigits OwnNames scene (decimalFactors fourDigits scene sums)
-    WithExactMeasures -> exactly format OwnNames scene
+    DecimalsOnly -> decimalDocument format fourDigits sideBuilder scene (decimalFactors fourDigits scene sums)
+    WithExactMeasures -> exactly format sideBuilder scene
   where
     sums = measures scene (vertices scene)
 
@@ -58,7 +58,7 @@ fourDigits = fromMaybe defaultDigits (digits 4)
 doubles :: FactorFormat -> Scene -> String
 doubles format scene =
   Lazy.unpack . toLazyByteString $
-    nearestDocument format OwnNames scene (nearestFactors scene (measures scene (vertices scene)))
+    nearestDocument format sideBuilder scene (nearestFactors scene (measures scene (vertices scene)))
 
 -- | The lengths that a JSON document tells, as text and as numbers, with the number of its sides.
 lengthsIn :: String -> Maybe (Int, [(String, Rational)])
@@ -75,7 +75,7 @@ instance Show Named where
   show (Named text _ _) = text
 
 someNames :: Gen Named
-someNames = elements [Named "own names" sideText OwnNames, Named "long names" long (ElementNames long)]
+someNames = elements [Named "own names" sideText sideBuilder, Named "long names" long (string7 . long)]
   where
     long s = sideText s <> "#an-element"
 
@@ -158,7 +158,7 @@ exactDocuments = describe "exactDocument" . modifyMaxSuccess (`div` 2) $ do
         scene <- maybe (fail "no scene") pure pair
         made <- maybe (fail "no sum") pure (RootSum.fromTerms found)
         let row = FactorRow (SideName (Obstacle 0) 0) [(TheSky, ("0.5", made))] 0
-        Lazy.unpack (toLazyByteString (exactDocument FactorsCsv fourDigits OwnNames scene [row]))
+        Lazy.unpack (toLazyByteString (exactDocument FactorsCsv fourDigits sideBuilder scene [row]))
           `shouldBe` "from,to,value,measure\n0.0,sky,0.5," <> text <> "\n"
   where
     forAllNamed :: ((SideName -> String) -> Naming -> Scene -> Property) -> Property
