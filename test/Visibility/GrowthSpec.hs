@@ -14,6 +14,7 @@ import qualified Data.Map.Strict as Map
 import System.Mem (getAllocationCounter)
 import Test.Hspec
 import Visibility.Complex (complexOf, faceIds)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor
@@ -26,10 +27,14 @@ import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 
 spec :: Spec
-spec =
+spec = do
+  describe "bytes allocated, on squares in a row" $
+    it "grow in proportion to the pairs of the topological sweep, most of which are on two lines" $
+      growth inARow checked (\s -> Just (pairsOf s (vertices s))) >>= shouldBeSlow
   for_ [Random, Grid] $ \kind ->
     describe ("bytes allocated, on scenes of the family " <> show kind) $ do
-      let grow name prepare work = it ("grow in proportion to " <> name) (growth kind prepare work >>= shouldBeSlow)
+      let grow name prepare work =
+            it ("grow in proportion to " <> name) (growth (scenesOf kind) prepare work >>= shouldBeSlow)
       grow "the corners that are checked" Just (fmap cornerCount . checked)
       grow "the pairs of the topological sweep" checked (\s -> Just (pairsOf s (vertices s)))
       grow "the pairs of the straight sweep" checked (\s -> Just (pairsOf s (straightVertices s)))
@@ -50,6 +55,9 @@ spec =
         Just (length (refinedElements (refined (discontinuityMesh s (vertices s)))))
   where
     pairsOf s = sum . map (length . vertexPairs s)
+    scenesOf kind n = alight . (\k -> family kind k (Seed 1)) <$> size n
+    inARow n = Just (RawScene Nothing Nothing [rawPolygon (square (fromIntegral (2 * k))) | k <- [1 .. n]])
+    square x = [Point x 0, Point (x + 1) 0, Point (x + 1) 1, Point x 1]
 
 -- | A scene with its measures.
 data Summed = Summed !Scene !Measures
@@ -71,13 +79,13 @@ shouldBeSlow :: Maybe Growth -> Expectation
 shouldBeSlow found = found `shouldSatisfy` maybe False (\(Growth few many) -> few > 0 && many < 1.25 * few)
 
 -- | Of a piece of work, which tells of how many parts its result is. What it begins with is made before.
-growth :: Family -> (RawScene -> Maybe a) -> (a -> Maybe Int) -> IO (Maybe Growth)
-growth kind prepare work = do
+growth :: (Int -> Maybe RawScene) -> (RawScene -> Maybe a) -> (a -> Maybe Int) -> IO (Maybe Growth)
+growth scenes prepare work = do
   few <- bytes 12
   many <- bytes 48
   pure (Growth <$> few <*> many)
   where
-    bytes n = case size n >>= prepare . alight . \k -> family kind k (Seed 1) of
+    bytes n = case scenes n >>= prepare of
       Nothing -> pure Nothing
       Just begun -> do
         (allocated, parts) <- allocation begun work

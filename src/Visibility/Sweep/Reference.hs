@@ -129,7 +129,7 @@ readyVertex scene state p q = collected [p] (Set.singleton p) >>= fromCorners . 
     collected (c : rest) line = do
       onwards <- mapM (nextOnLine c) [Rightward, Leftward]
       let new = filter (`Set.notMember` line) (concat onwards)
-      collected (new <> rest) (foldr Set.insert line new)
+      collected (rest <> new) (foldr Set.insert line new)
     -- The corners next to c on the line; 'Nothing' where a pair of less slope is next, or one that is not mutual.
     nextOnLine c way = case cornerAhead (treeOf way state) c of
       Nothing -> Just []

@@ -21,6 +21,7 @@ import Control.Monad.ST (ST, runST)
 import qualified Control.Monad.ST.Lazy as Lazy
 import Data.Int (Int32)
 import qualified Data.IntSet as IntSet
+import Data.List (sort)
 import Data.Primitive.PrimArray
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -178,42 +179,44 @@ continuing f !a !b !l
   | otherwise = LeftTurn
 {-# INLINE continuing #-}
 
+-- | One way along a line: the tree that leads that way, and its opposite; the turn to pairs of greater slope; the
+-- corners found, the last first; the corner to go on from, or nothing where the line ends.
+data Arm s = Arm !(Growing s) !(Growing s) !Turn ![Int] !(Maybe Int)
+
 -- | The vertex that this pair is on, if it may be swept. See Note [Line] of the reference.
 --
 -- /Cost/ O(1) for each corner; O(log k) for each of k corners where there are split ends.
 readyLine :: Running s -> Int -> Int -> ST s (Maybe Vertex)
 readyLine state@Running {sweptScene = scene} !p !q
   | hasSplitEnds scene = (>>= vertexOn . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
-  | otherwise = do
-      ahead <- beyond (rightTree state) (leftTree state) LeftTurn p
-      case ahead of
-        Nothing -> pure Nothing
-        Just right -> do
-          behind <- beyond (leftTree state) (rightTree state) RightTurn p
-          pure (behind >>= \left -> vertexOn (reverse left <> (p : right)))
+  | otherwise = byTurns (arm left right RightTurn) (arm right left LeftTurn)
   where
+    (left, right) = (leftTree state, rightTree state)
     vertexOn = fromCorners . map CornerId
-    -- All corners beyond c on the line, in a tree whose opposite is the other one; nothing where a pair of less slope is
-    -- next, or one that is not mutual. The turn is that to pairs of greater slope.
-    beyond tree back greater c = do
+    arm tree back greater = Arm tree back greater [] (Just p)
+    -- One corner further on either arm by turns; nothing where a pair of less slope is next, or one that is not mutual.
+    byTurns (Arm _ _ _ found Nothing) (Arm _ _ _ found' Nothing) = pure (vertexOn (sort (p : found <> found')))
+    byTurns ended@(Arm _ _ _ _ Nothing) other = byTurns other ended
+    byTurns (Arm tree back greater found (Just c)) other = do
       l <- getList tree (target c)
       let !d = listOwner l
+          ends = byTurns other (Arm tree back greater found Nothing)
       if not (isCornerList l)
-        then pure (Just [])
+        then ends
         else case turn (scenePoints scene) p q d of
           Collinear -> do
             r <- getList back (target d)
-            if r == cornerList c then fmap (d :) <$> beyond tree back greater d else pure Nothing
-          side -> pure (if side == greater then Just [] else Nothing)
+            if r == cornerList c then byTurns other (Arm tree back greater (d : found) (Just d)) else pure Nothing
+          side -> if side == greater then ends else pure Nothing
     -- The same where a free end of a wall may lead along both faces.
     collected [] line = pure (Just line)
     collected (c : rest) line = do
-      ahead <- nextOnLine (rightTree state) (leftTree state) LeftTurn c
-      behind <- nextOnLine (leftTree state) (rightTree state) RightTurn c
+      ahead <- nextOnLine right left LeftTurn c
+      behind <- nextOnLine left right RightTurn c
       case (<>) <$> ahead <*> behind of
         Nothing -> pure Nothing
         Just onwards ->
-          let new = filter (`IntSet.notMember` line) onwards in collected (new <> rest) (foldr IntSet.insert line new)
+          let new = filter (`IntSet.notMember` line) onwards in collected (rest <> new) (foldr IntSet.insert line new)
     nextOnLine tree back greater c = do
       l <- getList tree (target c)
       let d = listOwner l
