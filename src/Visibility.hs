@@ -2,38 +2,61 @@
 --
 -- One thing flows through it: a file becomes a 'Scene', the scene a stream of vertices, the stream all else.
 --
--- > Right scene <- readSceneFile "scenes/room.json"
--- > let swept = vertices scene
--- >     sums = measures scene swept
--- > mapM_ (putStrLn . decimal defaultDigits . factorValue) (formFactors scene sums)
+-- > found <- readSceneFile "scenes/room.json"
+-- > case found of
+-- >   Left problems -> mapM_ (hPutStrLn stderr . errorText) problems
+-- >   Right scene ->
+-- >     for_ (formFactors scene (measures scene (vertices scene))) $ \factor ->
+-- >       putStrLn (sideText (factorFrom factor) <> " " <> decimal defaultDigits (factorValue factor))
 --
 -- Everything geometric is decided in exact arithmetic; degenerate scenes are ordinary input.
 module Visibility
-  ( -- * Scenes
+  ( -- * Scenes (all of them: "Visibility.Scene")
     Scene
-  , CornerId (..)
-  , SideId (..)
-  , Object (..)
   , readSceneFile
   , validate
   , RawScene (..)
   , RawPolygon (..)
   , rawPolygon
+  , Form (..)
+  , Material (..)
+  , MaterialOverride (..)
   , Point (..)
   , Direction (..)
+    -- ** What is wrong with a file (all of it: "Visibility.Error")
+  , Problem (..)
+  , errorText
+  , ReadFault
+  , ParseError
+  , SceneError
+  , sceneErrorText
+    -- ** Its corners and sides
+  , CornerId
+  , SideId
+  , Object (..)
+  , PolygonId (..)
+  , CornerName (..)
+  , SideName (..)
+  , Seen (..)
+  , cornerText
+  , sideText
+  , seenText
     -- * The sweep
   , Vertex
   , vertices
   , vertexCorners
   , vertexPairs
-    -- * Views
+    -- * Views (more: "Visibility.View")
   , Event (..)
   , View (..)
+  , Flank (..)
+  , End (..)
   , events
     -- * The complex (its parts: "Visibility.Complex")
   , Complex
   , complexOf
   , violations
+  , Violation (..)
     -- * Walking in it
   , Viewpoint (..)
   , Look (..)
@@ -41,7 +64,7 @@ module Visibility
   , Sight (..)
   , Region (..)
   , region
-    -- * Form factors
+    -- * Form factors (more: "Visibility.FormFactor")
   , Measures
   , measures
   , FormFactor (..)
@@ -53,17 +76,30 @@ module Visibility
     -- * The discontinuity mesh (all of it: "Visibility.Mesh")
   , Mesh
   , BreakPoint (..)
+  , Cause (..)
+  , Caster (..)
+  , Kind (..)
   , discontinuityMesh
   , meshSides
     -- * Radiosity (its parts: "Visibility.Radiosity")
   , radiosity
   , Closeness (..)
+  , Tolerance
+  , defaultTolerance
   , Radiosity (..)
-    -- * Numbers
+  , Lit (..)
+  , Element (..)
+  , Balance (..)
+  , Shortfall (..)
+    -- * Numbers (sums of roots: "Visibility.Exact.RootSum")
   , RootSum
   , decimal
+  , Digits
+  , digits
   , defaultDigits
-    -- * Figures
+  , nearestDouble
+    -- * Figures (all of them: "Visibility.Draw")
+  , Drawing
   , sceneDrawing
   , dualDrawing
   , viewDrawing
@@ -76,31 +112,20 @@ module Visibility
 import Visibility.Complex (Complex, complexOf)
 import Visibility.Complex.Law (violations)
 import Visibility.Complex.Walk (Look (..), lookAround)
-import Visibility.Draw.Dual (dualDrawing)
-import Visibility.Draw.Mesh (CastingLines (..), meshDrawing)
-import Visibility.Draw.Render (renderSvg)
-import Visibility.Draw.Scene (sceneDrawing)
-import Visibility.Draw.View (ViewFigure (..), viewDrawing)
+import Visibility.Error
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
-import Visibility.Exact.Rounding (decimal, defaultDigits)
+import Visibility.Exact.Rounding (Digits, decimal, defaultDigits, digits, nearestDouble)
 import Visibility.FormFactor
-  ( FactorRow (..)
-  , FormFactor (..)
-  , Measures
-  , decimalFactors
-  , exactFactors
-  , formFactors
-  , measures
-  , nearestFactors
-  )
 import Visibility.Format.File (readSceneFile)
-import Visibility.Mesh (BreakPoint (..), Mesh, discontinuityMesh, meshSides)
-import Visibility.Radiosity (Closeness (..), Radiosity (..), radiosity)
-import Visibility.Scene (CornerId (..), Object (..), Scene, SideId (..))
-import Visibility.Scene.Raw (RawPolygon (..), RawScene (..), rawPolygon)
+import Visibility.Law (Violation (..))
+import Visibility.Mesh
+import Visibility.Radiosity
+import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sight (Region (..), Sight (..), Viewpoint (..), region)
+import Visibility.Surface.Draw
+import Visibility.Surface.Scene
 import Visibility.Sweep (Vertex, vertexCorners, vertexPairs, vertices)
-import Visibility.View (Event (..), View (..), events)
+import Visibility.View (End (..), Event (..), Flank (..), View (..), events)

@@ -38,9 +38,10 @@ export DESCRIBED=yes
 
 compiled() { # level, options of cabal: sets the executable, and that of the suite
   local begun=$SECONDS
-  build "${@:2}" exe:viscomplex test:spec || { echo "The tests could not be built at $1."; return 1; }
-  export VISCOMPLEX_EXE
+  build "${@:2}" exe:viscomplex test:spec test:readme || { echo "The tests could not be built at $1."; return 1; }
+  export VISCOMPLEX_EXE VISCOMPLEX_README
   VISCOMPLEX_EXE=$(built "${@:2}" exe:viscomplex)
+  VISCOMPLEX_README=$(built "${@:2}" test:readme)
   suite=$(built "${@:2}" test:spec)
   echo "== built at $1 in $((SECONDS - begun)) s"
 }

@@ -21,7 +21,7 @@ import Visibility.Format.Complex (complexDocument, polygonDocument)
 import Visibility.Format.Factors (Detail (..), decimalDocument, exactDocument, nearestDocument, sideBuilder)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
-import Visibility.Mesh (Refined (..), elementNames)
+import Visibility.Mesh (elementNames, refinedScene)
 import Visibility.Sweep (Piece)
 import Visibility.View (events)
 

@@ -12,7 +12,7 @@ import Visibility.Error (Outcome (..))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (decimal, defaultDigits, digits, outwardDecimals)
 import Visibility.Format.Radiosity (radiosityDocument)
-import Visibility.Mesh (Refined (..))
+import Visibility.Mesh (Refined, refinedScene)
 import Visibility.Radiosity
 
 -- | Radiosities with their bounds; or how close bounds can be, where they cannot be as close as asked.

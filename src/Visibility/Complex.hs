@@ -17,9 +17,9 @@ module Visibility.Complex
   , complexOf
   , build
     -- * Identifiers
-  , VertexId (..)
-  , EdgeId (..)
-  , FaceId (..)
+  , VertexId
+  , EdgeId
+  , FaceId
     -- * Vertices
   , vertexIds
   , vertexAt

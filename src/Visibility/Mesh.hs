@@ -20,7 +20,15 @@ module Visibility.Mesh
   , meshSides
   , breakCount
     -- * Elements
-  , module Visibility.Mesh.Element
+  , Element (..)
+  , elementText
+  , elementEnds
+  , elementNames
+  , Refined
+  , refinedScene
+  , refinedElements
+  , refined
+  , unrefined
     -- * Making them
   , discontinuityMesh
   , uniformMesh

@@ -58,7 +58,7 @@ toleranceValue (Tolerance x) = x
 defaultTolerance :: Tolerance
 defaultTolerance = Tolerance (1 / 10 ^ (9 :: Int))
 
--- | The radiosities of a scene.
+-- | The radiosities of a scene. Shown as @\<radiosity: 12 elements, 9 passes\>@.
 data Radiosity = Radiosity
   { litElements :: ![Lit]
   , sideAverages :: ![(SideName, (Rational, Rational))]
@@ -72,6 +72,10 @@ data Radiosity = Radiosity
   -- ^ How many significant digits bounds are to be written with, so that rounding them outwards does not count.
   }
 
+instance Show Radiosity where
+  show found =
+    "<radiosity: " <> show (length (litElements found)) <> " elements, " <> show (passCount found) <> " passes>"
+
 -- | An element with bounds of its radiosity, which is per unit of the length that is not covered.
 data Lit = Lit
   { litElement :: !Element
@@ -80,6 +84,7 @@ data Lit = Lit
   -- ^ The part of it that nothing covers.
   , litRadiosity :: !(Rational, Rational)
   }
+  deriving (Eq, Show)
 
 -- | The radiosities of the sides of a scene, each an element.
 radiosity :: Closeness -> Scene -> Measures -> Either Shortfall Radiosity

@@ -106,7 +106,7 @@ data Collected = Collected
 assembled :: Scene -> Collected -> Complex
 assembled scene collected =
   Complex
-    { complexScene = scene
+    { sweptScene = scene
     , vertexStarts = starts
     , stretchCorners = stretchCorner
     , stretchVertices = vertexOf

@@ -8,6 +8,7 @@
 module Visibility.Complex.Type
   ( -- * Tables
     Complex (..)
+  , complexScene
     -- * Identifiers
   , VertexId (..)
   , EdgeId (..)
@@ -81,9 +82,10 @@ newtype FaceId = FaceId Int
 -- the sweep ('objectOf').
 --
 -- /Cost/ 44 bytes per corner of a vertex, 32 per face, 4 per vertex and per corner; the chains take 4 bytes per
--- incidence of a stretch with a face. Under the sky, face 0 is that of the lines that miss everything.
+-- incidence of a stretch with a face. Under the sky, face 0 is that of the lines that miss everything. Shown as
+-- @\<complex: 6 vertices, 12 edges, 8 faces\>@.
 data Complex = Complex
-  { complexScene :: !Scene
+  { sweptScene :: !Scene
   , vertexStarts :: !(U.Vector Int32)
   -- ^ The stretches that begin at vertex v are those from entry v on, below entry v + 1.
   , stretchCorners :: !(U.Vector Int32)
@@ -117,6 +119,17 @@ data Complex = Complex
   , lowerTurns :: !(U.Vector Int32)
   , chains :: !(U.Vector Int32)
   }
+
+instance Show Complex where
+  show complex =
+    "<complex: " <> unwords [count vertexIds "vertices,", count edgeIds "edges,", count faceIds "faces>"]
+    where
+      count :: (Complex -> [a]) -> String -> String
+      count ids what = show (length (ids complex)) <> " " <> what
+
+-- | The scene that a complex is that of.
+complexScene :: Complex -> Scene
+complexScene = sweptScene
 
 at :: U.Vector Int32 -> Int -> Int
 at table i = fromIntegral (table U.! i)

@@ -16,7 +16,7 @@ import Visibility.Draw.Values (Scaling)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor (FactorRow)
-import Visibility.Mesh.Element (Element (..), Refined (..), elementEnds, elementNames)
+import Visibility.Mesh.Element
 import Visibility.Radiosity (Lit (..), Radiosity (..))
 import Visibility.Scene
 

@@ -28,6 +28,7 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
+import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor.Sums
 import Visibility.FormFactor.Terms
 import Visibility.Law (broken)
@@ -36,8 +37,12 @@ import Visibility.Sweep.Piece
 import Visibility.Sweep.Vertex
 
 -- | The measure of the lines (du dθ) between each pair of objects that see each other, on the lattice: the total area
--- of all faces of one label, A(s, t) = A(t, s). Not of the sky with itself.
+-- of all faces of one label, A(s, t) = A(t, s). Not of the sky with itself. Shown as @\<measures: 6 distances\>@: of so
+-- many distances between corners they are multiples.
 newtype Measures = Measures Terms
+
+instance Show Measures where
+  show (Measures terms) = "<measures: " <> show (slotCount terms) <> " distances>"
 
 -- | Adds up a stream of vertices, which must be that of the whole half turn.
 --
@@ -95,7 +100,7 @@ seenByRank scene = V.fromList (map TheSide (statedSides scene) <> [TheSky])
 ranks :: Scene -> U.Vector Int
 ranks scene = U.snoc (U.map fromIntegral (sideRanks scene)) (length (statedSides scene))
 
--- | A form factor that is not exactly zero.
+-- | A form factor that is not exactly zero. Shown as @\<0.1 to 1.3: 0.4142136\>@, rounded.
 data FormFactor = FormFactor
   { factorFrom :: !SideName
   , factorTo :: !Seen
@@ -104,6 +109,11 @@ data FormFactor = FormFactor
   , factorValue :: RootSum
   -- ^ F_st: the part of the light leaving s, uniform and diffuse, that reaches t.
   }
+
+instance Show FormFactor where
+  show f = "<" <> sideText (factorFrom f) <> " to " <> seenText (factorTo f) <> ": " <> value <> ">"
+    where
+      value = decimal defaultDigits (factorValue f)
 
 -- | All form factors that are not exactly zero, by the side they leave and what they reach, the sky last.
 --

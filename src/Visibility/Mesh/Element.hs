@@ -10,6 +10,8 @@ module Visibility.Mesh.Element
   , elementNames
     -- * Scenes of elements
   , Refined (..)
+  , refinedScene
+  , refinedElements
   , refined
   , unrefined
   ) where
@@ -46,10 +48,17 @@ elementEnds :: Refined -> Element -> (Point, Point)
 elementEnds cut = sideEnds (refinedScene cut) . elementIn
 
 -- | A scene whose sides are elements of another scene's sides, and all of these elements, in the order of those sides.
-data Refined = Refined
-  { refinedScene :: !Scene
-  , refinedElements :: ![Element]
-  }
+-- Shown as @\<refined: 12 elements\>@.
+data Refined = Refined !Scene ![Element]
+
+instance Show Refined where
+  show cut = "<refined: " <> show (length (refinedElements cut)) <> " elements>"
+
+refinedScene :: Refined -> Scene
+refinedScene (Refined scene _) = scene
+
+refinedElements :: Refined -> [Element]
+refinedElements (Refined _ elements) = elements
 
 -- | The elements between the break points of a mesh.
 --

@@ -10,6 +10,7 @@ module Visibility.Mesh.Type
   , casterNames
     -- * Meshes
   , Mesh (..)
+  , meshScene
   , emptyMesh
   , breaksOn
   , breaksOf
@@ -81,12 +82,19 @@ breakCasters point = case breakCause point of
 casterNames :: Scene -> Caster -> (CornerName, CornerName)
 casterNames scene caster = (cornerName scene (casterNear caster), cornerName scene (casterFar caster))
 
--- | The break points of all sides of a scene.
+-- | The break points of all sides of a scene. Shown as @\<mesh: 12 break points\>@.
 data Mesh = Mesh
-  { meshScene :: !Scene
+  { cutScene :: !Scene
   , breakTable :: !(V.Vector [BreakPoint])
   -- ^ By 'SideId': see 'breaksOn'. Each entry is made when it is needed.
   }
+
+instance Show Mesh where
+  show mesh = "<mesh: " <> show (breakCount mesh) <> " break points>"
+
+-- | The scene whose sides are cut.
+meshScene :: Mesh -> Scene
+meshScene = cutScene
 
 -- | No break points: the elements are the sides.
 emptyMesh :: Scene -> Mesh

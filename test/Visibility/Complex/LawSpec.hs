@@ -41,7 +41,7 @@ spec = do
     it "judge by exact signs, whatever the arithmetic of the scene" $
       property $ \(HardScene s) ->
         let c = complexOf s
-         in violations c {complexScene = underArithmetic UnsafeDouble (complexScene c)} === []
+         in violations c {sweptScene = underArithmetic UnsafeDouble (complexScene c)} === []
     it "hold whatever order the vertices come in" $
       property $ \(LatticeScene s) ->
         forAll arbitrary $ \seed ->

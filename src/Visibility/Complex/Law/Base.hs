@@ -53,7 +53,7 @@ lawOf name statement check = law name statement (check . exactly)
 -- | The complex with its scene under an arithmetic that is always right.
 exactly :: Complex -> Complex
 exactly complex = case sceneArithmetic (complexScene complex) of
-  UnsafeDouble -> complex {complexScene = underArithmetic Filtered (complexScene complex)}
+  UnsafeDouble -> complex {sweptScene = underArithmetic Filtered (complexScene complex)}
   _ -> complex
 
 -- | The entry of a table. /Requires/ an index within it.
