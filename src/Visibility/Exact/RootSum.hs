@@ -53,7 +53,7 @@ import Visibility.Exact.SquareClass
 --
 -- /Shape/ kept by radicand, without zero coefficients. Square classes are merged on demand only, see 'merged'.
 --
--- /Laws/ a commutative group under 'plus'; a vector space over the rationals under 'scaled'; totally ordered.
+-- /Laws/ a field, since products and quotients of such sums are such sums; totally ordered.
 data RootSum
   = End
   | -- | Of the least radicand, with the other terms.
@@ -67,6 +67,47 @@ instance Eq RootSum where
 
 instance Ord RootSum where
   compare = compareRootSums
+
+instance Num RootSum where
+  (+) = plus
+  (-) = minus
+  a * b = mconcat [rootTimes r n a | (r, n) <- terms b]
+  negate = negated
+  abs s = s * signum s
+  signum s = case sign s of
+    Negative -> -1
+    Zero -> 0
+    Positive -> 1
+  fromInteger = rational . fromInteger
+
+-- | /Cost/ of a quotient, up to 2ᵏ terms if the divisor's radicands are products of powers of k integers, prime to each
+-- other.
+instance Fractional RootSum where
+  fromRational = rational
+
+  -- Each step multiplies with what the divisor is when a root √g changes its sign, as √2 − 1 is for √2 + 1. The product
+  -- has no √g. It is not zero, since roots of integers that are no squares and prime to each other are independent. In
+  -- the end it is rational. As of other fractions, there is none of zero.
+  recip s = go 1 divisor (foldl' coprime [] (map snd (terms divisor)))
+    where
+      divisor = merged s
+      go over under (g : others) = go (over * conjugate) (under * conjugate) others
+        where
+          conjugate = foldr (\(c, n) -> Term n (if odd (power g n) then negate c else c)) zero (terms under)
+      go over under [] = scaled (maybe (recip 0) recip (asRational under)) over
+      power g n = if n `rem` g == 0 then 1 + power g (n `quot` g) else 0 :: Int
+
+-- | With one more integer, integers above 1, no squares and prime to each other, of which and of squares all are
+-- products.
+coprime :: [Integer] -> Integer -> [Integer]
+coprime found n
+  | Just r <- exactSquareRoot n = if n == 1 then found else coprime found r
+coprime [] n = [n]
+coprime (g : others) n
+  | common == 1 = g : coprime others n
+  | otherwise = foldl' coprime others [g `quot` common, common, n `quot` common]
+  where
+    common = gcd g n
 
 instance Semigroup RootSum where
   (<>) = plus
@@ -170,6 +211,12 @@ scaled r s
 mapped :: (Rational -> Rational) -> RootSum -> RootSum
 mapped _ End = End
 mapped f (Term n c rest) = Term n (f c) (mapped f rest)
+
+-- By a positive root.
+rootTimes :: Rational -> Integer -> RootSum -> RootSum
+rootTimes r n s = collected [productOf c m (gcd m n) | (c, m) <- terms s]
+  where
+    productOf c m g = ((m `quot` g) * (n `quot` g), multiplied g (c * r))
 
 -- | @quotientByRoot s r n@ is s \/ (r √n), again a sum of roots: for a form factor, the measure by twice a side's
 -- length.

@@ -1,6 +1,6 @@
 module Visibility.Exact.RootSumSpec (spec) where
 
-import Control.Exception (evaluate)
+import Control.Exception (ArithException (..), evaluate)
 import Control.Monad (forM_)
 import Data.List (foldl', nub)
 import Data.Map.Strict (Map)
@@ -93,6 +93,18 @@ opposite s = case s of
   Negative -> Positive
   Zero -> Zero
   Positive -> Negative
+
+signOf :: Sign -> RootSum
+signOf s = case s of
+  Negative -> -1
+  Zero -> 0
+  Positive -> 1
+
+-- | Few terms with few primes.
+small :: Gen Spelling
+small = do
+  Spelling ts <- resize 4 arbitrary
+  pure (Spelling [Spelt c k (Set.filter (< 60) ps) | Spelt c k ps <- take 5 ts])
 
 quickly :: a -> IO (Maybe a)
 quickly = timeout 20000000 . evaluate
@@ -197,6 +209,29 @@ spec = do
     it "does not divide by zero" $
       [quotientByRoot (rational 1) c n | (c, n) <- [(0, 2), (1, 0), (1, -3)]] `shouldBe` [Nothing, Nothing, Nothing]
 
+  describe "numbers" $ do
+    it "multiply as the model does" $
+      property $ forAll ((,) <$> small <*> small) $ \(s, t) ->
+        let product' =
+              Map.fromListWith (+) $
+                [ (m * n `div` (g * g), c * d * fromInteger g)
+                | (m, c) <- Map.toList (model s)
+                , (n, d) <- Map.toList (model t)
+                , let g = gcd m n
+                ]
+         in worth (terms (merged (build s * build t))) === worth [(c, n) | (n, c) <- Map.toList product', c /= 0]
+    it "are a field: quotients undo products" $
+      property $ forAll ((,) <$> small <*> small) $ \(s, t) ->
+        let (a, b) = (build s, build t) in if b == 0 then a * b === 0 else a * b / b === a
+    it "divide also where radicands share squares and factors: 1 / (√12 + √18 + √50 + √60 + 3)" $
+      let x = summed [(1, 12), (1, 18), (1, 50), (1, 60), (3, 1)] in (x * recip x, recip (recip x)) `shouldBe` (1, x)
+    it "have no quotient by zero, however it is spelt" $
+      evaluate (1 / summed [(1, 8), (-2, 2)]) `shouldThrow` (== RatioZeroDenominator)
+    it "are their absolute values times their signs, and compare with literals" $
+      property $ \s ->
+        let a = build s in (abs a * signum a, abs a >= 0, signum a) === (a, True, signOf (modelSign (model s)))
+    it "come from rationals" $
+      property $ \p q -> (fromRational p + fromRational (q * q), 3) === (rational (p + q * q), rational 3)
   describe "sign" $ do
     it "agrees with slow enclosures of the square-free form" $
       property $ \s -> sign (build s) === modelSign (model s)
