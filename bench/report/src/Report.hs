@@ -12,7 +12,6 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate, isPrefixOf)
 import Data.Version (showVersion)
 import GHC.Clock (getMonotonicTime)
-import GHC.Conc (getNumProcessors)
 import Report.Cancellation
 import Report.Factors
 import Report.Hard
@@ -70,9 +69,8 @@ writeReport plan = do
 -- | The machine in general terms.
 described :: IO String
 described = do
-  count <- getNumProcessors
   cpu <- tryIOError (readFile "/proc/cpuinfo")
   let models = [line | line <- either (const []) lines cpu, "model name" `isPrefixOf` line]
       model = take 1 (map (drop 2 . dropWhile (/= ':')) models)
-      processors = if count == 1 then "1 processor" else show count <> " processors"
-  pure (intercalate ", " (model <> [processors, os <> " on " <> arch, compilerName <> " " <> showVersion compilerVersion]))
+      processors = ["1 processor" | [_] <- [models]] <> [show (length models) <> " processors" | _ : _ : _ <- [models]]
+  pure (intercalate ", " (model <> processors <> [os <> " on " <> arch, compilerName <> " " <> showVersion compilerVersion]))

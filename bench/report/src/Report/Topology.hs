@@ -160,7 +160,7 @@ rowsOf plan found = do
       [ safe way scheduler
       | way@(name, _) <- exactArithmetics
       , name /= "rational" || small (slowLimit plan)
-      , scheduler <- [Topological, Straight]
+      , scheduler <- [Topological, Straight] <> [Reference | name == "filtered"]
       ]
   brute <-
     if small (bruteForceLimit plan)
