@@ -29,17 +29,17 @@ import Visibility.Sweep.HorizonTree.Table
 -- ~~~~~~~~~~~~
 -- The target of a corner is a list: of the corner at the far end of its next pair; or of a ceiling, when all its
 -- forward pairs are swept and its rays meet that side, or the sky, until they are vertical; or none, where the
--- remaining rays are solid. Where a tree edge is a side, the permanent marker of the side is its node. The two faces of
--- a thin wall share one. A list holds its nodes by ascending slope, that is from the uppermost source to the lowest.
--- Under a ceiling all edges are vertical and the order is that of the sources along the heading.
+-- remaining rays are solid. Where a tree edge is a side, the permanent marker of the side is its node. The two faces
+-- of a thin wall share one. A list holds its nodes by ascending slope, that is from the uppermost source to the
+-- lowest. Under a ceiling all edges are vertical and the order is that of the sources along the heading.
 --
 -- Note [Convex chains]
 -- ~~~~~~~~~~~~~~~~~~~~
 -- A corner t is linked when the last tree edge into t and the tree edge out of t are consecutive edges of a convex
 -- chain: the second turns left or goes straight on, and no forward side of t lies below it. A chain is a maximal path
--- of linked edges. Its leaf (the edge furthest from the target) and its top point to each other, so that the search for
--- a tangent, which comes to the top first, can begin at the leaf. Equality matters: were collinear corners not linked,
--- aligned scenes would be searched corner by corner, in quadratic time.
+-- of tree edges through linked corners. Its leaf (the edge furthest from the target) and its top point to each other,
+-- so that the search for a tangent, which comes to the top first, can begin at the leaf. Equality matters: were
+-- collinear corners not linked, aligned scenes would be searched corner by corner, in quadratic time.
 
 -- | Sweeps the tree edges of corners on a line, given from the last one to the first. Before, all of them are made the
 -- leaves of their chains; and each once more when it is swept, since of a wall's two faces the first one that is swept
@@ -51,7 +51,8 @@ sweepLine f tree line = do
   mapM_ (separate tree) (reverse line)
   forM_ line $ \p -> separate tree p >> advance f tree p
 
--- | Makes the tree edge of a corner the leaf of its chain. /Requires/ that so is what arrives there last.
+-- | Cuts the chain at a corner, so that the corner's tree edge is a leaf. /Requires/ that its last arrival is one, if
+-- the corner is linked: on a line, the corners before it have been separated.
 separate :: Growing s -> Int -> ST s ()
 separate tree !p = do
   isLinked <- get tree (link p)
@@ -67,26 +68,29 @@ advance f tree !p = do
   let !q = listOwner into
   swept <- getNode tree (edge p)
   release f tree p q swept
-  let !x = preceding f q
-  if following f p == q && preceding f p /= q
-    then besideSolid f tree p q
-    else
-      if x /= p && turnIn f p q x == LeftTurn
-        then -- The ray turns into the side between x and q.
+  wayPast f tree p q
 
-          if comesBefore f q x
-            then getNode tree (lower (markerOf f q x)) >>= settle f tree p (cornerList x)
-            else getNode tree (final (ceilingList x)) >>= underCeiling f tree p (ceilingList x)
-        else do
-          -- The ray passes above q and slides along what q's own next ray meets.
-          stop <- getNode tree (edge q)
-          when (stop == noNode) $ broken "a ray that passes a corner finds its tree edge" (show (p, q))
-          l <- getList tree (target q)
-          e <- getNode tree (lower stop)
-          if isCornerList l then settle f tree p l e else underCeiling f tree p l e
+-- | Goes the way of the reference that p's ray takes when it has turned past q: 'besideSolid', along a side, under a
+-- side, along q's tree edge, or under q's ceiling.
+wayPast :: Frame -> Growing s -> Int -> Int -> ST s ()
+wayPast f tree !p !q
+  | following f p == q && preceding f p /= q = besideSolid f tree p q
+  | x /= p && turnIn f p q x == LeftTurn =
+      if comesBefore f q x
+        then getNode tree (earlier (markerOf f q x)) >>= settle f tree p (cornerList x)
+        else getNode tree (final (ceilingList x)) >>= underCeiling f tree p (ceilingList x)
+  | otherwise = do
+      front <- getNode tree (edge q)
+      when (front == noNode) $ broken "a ray that passes a corner finds its tree edge" (show (p, q))
+      l <- getList tree (target q)
+      e <- getNode tree (earlier front)
+      if isCornerList l then settle f tree p l e else underCeiling f tree p l e
+  where
+    !x = preceding f q
+{-# INLINE wayPast #-}
 
--- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain; where it is also linked to the edge
--- out of q, that chain is cut first.
+-- | Takes the swept edge from p to q out of the tree. It is the leaf of its chain, which is cut where it goes on beyond
+-- q.
 release :: Frame -> Growing s -> Int -> Int -> Node -> ST s ()
 release f tree !p !q !swept = do
   isLinked <- get tree (link q)
@@ -101,32 +105,33 @@ release f tree !p !q !swept = do
   when (stillLinked == 0) $ relink f tree q
 
 -- | The swept pair is a side with its solid just above: the next free ray is along the other side of p, if that leads
--- forward and lies above, or is the upper face of the same piece of a wall; else there is none.
+-- forward and is not below; it may be the other face of the same piece of a wall. Else there is none.
 besideSolid :: Frame -> Growing s -> Int -> Int -> ST s ()
 besideSolid f tree p q =
   when (comesBefore f p r && turnIn f p q r /= RightTurn) $ attach f tree p (cornerList r) noNode
   where
     !r = preceding f p
 
--- | On the underside of a ceiling, e is the nearest vertical edge to the left of the place reached so far.
+-- | Back along the underside of a ceiling, where e is the vertical edge just before the place reached so far: to its
+-- source, or else to the ceiling's end.
 underCeiling :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 underCeiling f tree !p !l !e
-  | e == noNode = beyondEdges
+  | e == noNode = toItsEnd
   | otherwise = do
       s <- getSource tree e
-      if comesBefore f p s && not (sharePlace f p s) then settle f tree p l e else beyondEdges
+      if comesBefore f p s && not (sharePlace f p s) then settle f tree p l e else toItsEnd
   where
     !a = listOwner l
-    beyondEdges
+    toItsEnd
       | a < frameSize f
       , comesBefore f p a
       , not (sharePlace f p a) =
           getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
       | otherwise = settle f tree p l e
 
--- | Follows the tangent from p to the chain whose last edge is e, the last edge into the target l below p's ray, where
--- that hides l: the corner at which the tangent touches the chain becomes the target of p. Where nothing hides l, that
--- does. The chain is searched from its leaf on.
+-- | The node e, just before the front, may hide from p the target l that it aims at. If it does, it is the last edge of
+-- a chain: this is gone along from its leaf to the first edge that hides, the corner at which that begins becomes the
+-- target of p, and the chain is cut there. If not, l does.
 settle :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 settle f tree !p !l !e = do
   hidden <- if e == noNode then pure False else hidesAsEdge f tree p e
@@ -138,12 +143,12 @@ settle f tree !p !l !e = do
   where
     search !deepest !near = do
       !c <- getSource tree near
-      found <- if near == e then pure True else hidesFrom f tree p c
+      found <- if near == e then pure True else hides f tree p c
       if found
         then do
-          below <- getNode tree (final (cornerList c))
+          justBefore <- getNode tree (final (cornerList c))
           when (near /= deepest) $ cut tree c deepest e
-          attach f tree p (cornerList c) below
+          attach f tree p (cornerList c) justBefore
         else do
           ahead <- getList tree (target c)
           getNode tree (edge (listOwner ahead)) >>= search deepest
@@ -153,12 +158,12 @@ hidesAsEdge :: Frame -> Growing s -> Int -> Node -> ST s Bool
 hidesAsEdge f tree !p !e = do
   s <- getSource tree e
   own <- getNode tree (edge s)
-  if own == e then hidesFrom f tree p s else pure False
+  if own == e then hides f tree p s else pure False
 
 -- | Does the tree edge from s to t hide t from p? One from the place of p never does: it lies in another cone of free
 -- space there.
-hidesFrom :: Frame -> Growing s -> Int -> Int -> ST s Bool
-hidesFrom f tree !p !s
+hides :: Frame -> Growing s -> Int -> Int -> ST s Bool
+hides f tree !p !s
   | comesBefore f p s = do
       l <- getList tree (target s)
       pure $!
@@ -169,9 +174,9 @@ hidesFrom f tree !p !s
             Collinear -> not (sharePlace f p s)
           else not (sharePlace f p s)
   | otherwise = pure False
-{-# INLINE hidesFrom #-}
+{-# INLINE hides #-}
 
--- | Makes l the target of p, just after node e in it.
+-- | Makes l the target of p, just after node e in it: by (3) of Note [Next pair] nothing arrives between.
 attach :: Frame -> Growing s -> Int -> List -> Node -> ST s ()
 attach f tree !p !l !e = do
   putList tree (target p) l
@@ -207,15 +212,15 @@ relink f tree !t = do
 -- | Do the edge from s into t and the edge from t to its target bound a common empty region from below?
 continues :: Frame -> Int -> Int -> List -> Bool
 continues f !s !t !ahead =
-  not (separates f t ahead (following f t))
-    && not (separates f t ahead (preceding f t))
+  not (isBelow f t ahead (following f t))
+    && not (isBelow f t ahead (preceding f t))
     && (not (isCornerList ahead) || turnIn f s t (listOwner ahead) /= RightTurn)
 
--- | Is the side from t to x a swept forward side below the edge from t to its target?
-separates :: Frame -> Int -> List -> Int -> Bool
-separates f t ahead x =
+-- | Does the side from t to x lead forward, below the edge from t to its target?
+isBelow :: Frame -> Int -> List -> Int -> Bool
+isBelow f t ahead x =
   comesBefore f t x && (not (isCornerList ahead) || x /= listOwner ahead && turnIn f t x (listOwner ahead) == LeftTurn)
-{-# INLINE separates #-}
+{-# INLINE isBelow #-}
 
 -- | Splits the chain with this leaf and top at the linked corner t.
 cut :: Growing s -> Int -> Node -> Node -> ST s ()
@@ -231,16 +236,16 @@ cut tree !t !deepest !highest = do
 -- | Puts a node into a list after the node e, or in front for 'noNode'.
 insertAfter :: Growing s -> List -> Node -> Node -> ST s ()
 insertAfter tree !l !e !node = do
-  above <- getNode tree (if e == noNode then first l else upper e)
-  putNode tree (lower node) e
-  putNode tree (upper node) above
-  putNode tree (if e == noNode then first l else upper e) node
-  putNode tree (if above == noNode then final l else lower above) node
+  above <- getNode tree (if e == noNode then first l else later e)
+  putNode tree (earlier node) e
+  putNode tree (later node) above
+  putNode tree (if e == noNode then first l else later e) node
+  putNode tree (if above == noNode then final l else earlier above) node
 
 -- | Takes a node out of a list.
 unlink :: Growing s -> List -> Node -> ST s ()
 unlink tree !l !node = do
-  below <- getNode tree (lower node)
-  above <- getNode tree (upper node)
-  putNode tree (if below == noNode then first l else upper below) above
-  putNode tree (if above == noNode then final l else lower above) below
+  below <- getNode tree (earlier node)
+  above <- getNode tree (later node)
+  putNode tree (if below == noNode then first l else later below) above
+  putNode tree (if above == noNode then final l else earlier above) below

@@ -17,6 +17,7 @@ module Visibility.Sweep.Reference
   , readyVertices
   , treeOf
   , module Visibility.Sweep.Reference.Tree
+  , module Visibility.Sweep.Reference.Next
   ) where
 
 import Data.List (foldl', mapAccumL)
@@ -25,6 +26,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Exact.Predicate
 import Visibility.Scene
+import Visibility.Sweep.Reference.Next
 import Visibility.Sweep.Reference.Plant
 import Visibility.Sweep.Reference.Tree
 import Visibility.Sweep.Vertex
@@ -33,47 +35,55 @@ import Visibility.Sweep.Vertical
 -- Note [Order]
 -- ~~~~~~~~~~~~
 -- An elementary pair is two corners whose open segment is in free space and has no corner on it; a side is one too.
--- At each corner the pairs that leave to the right and those that arrive from the left are ordered together, by
--- slope. The sweep takes every pair once, so that at each corner pairs come in this order. It asks for no more: of
--- two pairs without a common corner either may come first, unless a row of others between them decides it. So no
--- queue is needed.
+-- At each corner, the pairs that leave to the right and those that arrive from the left are ordered together by
+-- slope; a vertical has the greatest slope of all. The sweep takes every pair once, so that at no corner a pair comes
+-- after one of greater slope. It asks for no more. Two pairs without a common corner may come in either order, unless
+-- a row of pairs leads from one to the other, each sharing a corner with the next. So no queue is needed. Pairs of
+-- one slope at one corner are on one line, and are swept in one step.
 --
 -- Note [Ready]
 -- ~~~~~~~~~~~~
 -- Let (p, q) be the next pair of p to the right and of q to the left. Let the next pair that arrives at p and the
--- next one that leaves q have greater slopes, where there are such. Then (p, q) may be swept. For the unswept pairs
--- that leave p have slopes no less than that of (p, q), which is the least by the definition of the tree; those that
--- arrive at p have slopes no less than that of the next one of them, so greater ones; and so it is at q. Sweeping (p,
--- q) concerns no other corner. Both trees are needed. Let s = (0, 0), t = (1, -1), p = (10, 0) and q = (11, 1/20).
--- The right tree alone says p → q and s → t, and does not show that (s, p), which is swept after (s, t), must come
+-- next one that leaves q have greater slopes, where there are such. Then (p, q) may be swept. This can violate the
+-- order at p and at q only. Of the unswept pairs that leave p it has the least slope, by the definition of the tree;
+-- those that arrive at p have no less slope than the next one of them, so a greater one; and so it is at q. Both
+-- trees are needed. Take four tiny polygons with corners s = (0, 0), t = (1, -1), p = (10, 0) and q = (11, 1/20). As
+-- long as (s, t) is unswept, the right tree alone says s → t and p → q, and does not show that (s, p) must come
 -- before (p, q).
 --
--- The sweep does not end too early. Among the unswept pairs of least slope take one, with all others on its line. At
--- the corners of this line all other unswept pairs have greater slopes, so it may be swept. And a line that may be
--- swept has a pending corner. Whether it may depends on the tree edges of its own corners alone. In the step that
--- made it ready, one of these has changed, so that corner was swept and is pending, as all are at the start. When it
--- is taken off the stack, one of its two next pairs is on the line, since the line is ready; so the line is found,
--- and it stays ready until it is swept, since a tree edge changes only when its own pair is swept.
+-- The sweep does not end too early. Among the unswept pairs of least slope take one, with all that hang together with
+-- it on its line. At the corners of this line all other unswept pairs have greater slopes, so it may be swept. And a
+-- line that may be swept has a pending corner. Whether it may depends on the tree edges of its own corners alone; in
+-- the step that made it ready, one of these has changed, so that corner was swept and is pending, as all are at the
+-- start. Until the line is swept it stays ready: its tree edges change only when they are swept, and a pair of
+-- greater slope at one of its corners is not ready. When that corner is taken off the stack, one of its next pairs is
+-- on the line, and the other is on it too, or is not ready. So the line is found.
 --
 -- Note [Line]
 -- ~~~~~~~~~~~
--- Several pairs on one line, of which neighbours share a corner, have one slope. Neither of two neighbours comes
--- before the other at their corner, so all are swept in one step: they are one vertex. They are ready together. If no
--- unswept pair at any corner of the line has less slope than the line, nor the same without being on it, then the
--- next pairs of all its corners are the neighbours on it, both ways; so from any corner of the line one comes to all
--- others from next pair to next pair, which is how the line is collected. If at one corner another pair is next, and
--- has less slope, or if a neighbour's own next pair is another one, then the whole line waits. As no step sweeps a
--- part of a line, its pairs are all swept or all unswept.
+-- Pairs that hang together on one line are swept in one step, as one vertex. So they are all swept or all unswept.
+-- The line may be swept if at each of its corners, both ways, the next pair is mutual and on the line, or has a
+-- greater slope, or there is none. For then no other unswept pair at its corners has less slope, as in Note [Ready].
+-- All of the line is seen so: if the line goes on from a corner, the pair with the neighbour is unswept, so the next
+-- pair has no greater slope; hence it is that pair, or the line waits. So from any corner one comes to all others,
+-- from next pair to next pair, which is how the line is collected; and the corner asked about is among them. Both
+-- ways are gone by turns. If the line has to wait, this is found out after as many corners as the nearer reason for
+-- it is away, and all questions about a line of k corners take O(k log k) steps.
 --
--- Within the step the pairs are swept one by one. In the right tree the rightmost one comes first: to find the next
--- pair of a corner, the tree edge of its neighbour is followed (Note [Next pair]), and that has to have left the
--- line.
+-- Note [Within a step]
+-- ~~~~~~~~~~~~~~~~~~~~
+-- In each tree the pairs of a vertex are swept one by one, an event each, and until the step is over each tree counts
+-- those as swept that it has done. In the right tree the rightmost comes first: the next pair of a corner is found
+-- along the tree edge of its right neighbour, which must have left the line by then. In the left tree the leftmost
+-- comes first. So the order of Note [Order] holds after each event, and of two pairs on one line the right one is
+-- swept first in the right tree.
 --
--- /Degenerate cases/ A wall that stands alone has two faces and one pair, which is on the line once. Where a wall has
--- corners in between, or where something touches it, its two faces may lead from a free end to two corners in one
--- place. Then the end has two pairs of one slope, and the line runs along both: the right tree leads along the lower
--- face first, the left tree along the upper one, as the ray turns from there into free space. So where one is met,
--- both are taken.
+-- Where a wall has corners between its ends, or something touches it, its faces may lead from a free end to two
+-- corners in one place: always to one place, since a contact cuts both faces. Then the end has two pairs of one
+-- slope, and the line runs along both. A ray that turns about the left end of a wall comes from free space below it,
+-- and meets the lower face first; about the right end it comes from above. So the right tree leads along the lower
+-- face first and the left tree along the upper one, and where one of the two is met, both are taken. A wall that
+-- stands alone has two faces and one pair.
 
 -- | The state between two steps. What has been swept is implied by the trees. /Cost/ O(n) memory.
 data State = State

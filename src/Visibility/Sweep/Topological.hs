@@ -3,9 +3,10 @@
 -- | The topological sweep, fast: that of "Visibility.Sweep.Reference", which says why it is right, in tables that are
 -- changed in place.
 --
--- Names and the order of cases are those of the reference. What differs: a state is four tables that nobody else sees;
--- what most vertices are, two corners with nothing else on their line, has a way of its own, without lists; vertices
--- are written as numbers, many in one array. Live memory is O(n) while the vertices are consumed.
+-- The order of cases is that of the reference, and so are the names but where tables are the matter: the ends of a
+-- chain are 'top' and 'leaf' of its nodes, arrivals are lists that are linked both ways. What differs: a state is four
+-- tables that nobody else sees; what most vertices are, two corners with nothing else on their line, has a way of its
+-- own, without lists; vertices are written as numbers, many in one array. Live memory is O(n) while they are consumed.
 --
 -- /Source/ Rivière, Topologically sweeping the visibility complex of polygonal scenes; Rafalin, Souvaine, Streinu for
 -- taking all collinear corners in one step.
@@ -236,7 +237,8 @@ readyLine state@Running {sweptScene = scene} !p !q
     besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
 {-# NOINLINE readyLine #-}
 
--- | Sweeps a vertex of two corners.
+-- | Sweeps a vertex of two corners. They need not be separated: what arrives at a has more slope than the pair, so a is
+-- not linked.
 sweepPair :: Running s -> Progress -> Int -> Int -> ST s Progress
 sweepPair state !now !a !b = do
   writePrimArray (written state) (size now) (fromIntegral a)

@@ -66,7 +66,7 @@ inTable scene table = (Map.fromList found, Map.fromList lists, Set.fromList (fil
           (ToSky, skyList n)
             : [(ToCorner (CornerId p), cornerList p) | p <- [0 .. n - 1]]
               <> [(ToCeiling (SideId p), ceilingList p) | p <- [0 .. n - 1]]
-      , let nodes = takeWhile (/= noNode) (iterate (nodeAt table . upper) (nodeAt table (first l)))
+      , let nodes = takeWhile (/= noNode) (iterate (nodeAt table . later) (nodeAt table (first l)))
       , not (null nodes)
       ]
     isLinked (CornerId p) = at table (link p) == 1

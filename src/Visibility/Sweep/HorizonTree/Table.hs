@@ -32,8 +32,8 @@ module Visibility.Sweep.HorizonTree.Table
   , link
   , first
   , final
-  , lower
-  , upper
+  , earlier
+  , later
   , top
   , leaf
   , source
@@ -63,10 +63,10 @@ import Data.Primitive.PrimArray
 --  0  target        the list that its tree edge is in
 --  1  edge          the node of its tree edge
 --  2  link          1 where it is linked
---  3  first, last   the list of the edges that lead to it
---  5  lower, upper, top, leaf   the node of its tree edge, where that is no side
---  9  lower, upper, top, leaf   the node of the marker of the side that starts at it
--- 13  first, last   the list of the edges that run vertically to the underside of that side
+--  3  first, final   the list of the edges that lead to it
+--  5  earlier, later, top, leaf   the node of its tree edge, where that is no side
+--  9  earlier, later, top, leaf   the node of the marker of the side that starts at it
+-- 13  first, final   the list of the edges that run vertically to the underside of that side
 -- 15  source        the corner at which that side starts, seen by the heading
 -- Places are not checked against the table's size: every list and node is made from a corner below n, or the sky.
 -- A list or a node is named by its place in the table. There is one more record, for the ceiling list of the sky.
@@ -180,13 +180,13 @@ final (List l) = l + 1
 {-# INLINE first #-}
 {-# INLINE final #-}
 
-lower, upper, top, leaf :: Node -> Field
-lower (Node e) = e
-upper (Node e) = e + 1
+earlier, later, top, leaf :: Node -> Field
+earlier (Node e) = e
+later (Node e) = e + 1
 top (Node e) = e + 2
 leaf (Node e) = e + 3
-{-# INLINE lower #-}
-{-# INLINE upper #-}
+{-# INLINE earlier #-}
+{-# INLINE later #-}
 {-# INLINE top #-}
 {-# INLINE leaf #-}
 
