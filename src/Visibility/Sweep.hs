@@ -1,5 +1,4 @@
--- | The sweeps of the visibility complex: the topological one, fast and as a text, the straight one, and brute force as
--- their oracle.
+-- | The sweeps of the visibility complex: the topological one, fast and as a text, and the straight one.
 --
 -- +---------------------+--------------------+-------------+-----------------------------------+
 -- | algorithm           | time               | live memory | source                            |
@@ -9,8 +8,6 @@
 -- | 'referenceVertices' | O((m + n) log n)   | O(n)        | the same, over persistent maps    |
 -- +---------------------+--------------------+-------------+-----------------------------------+
 -- | 'straightVertices'  | O((m + n) log n)   | O(n)        | Orti and others, queue over faces |
--- +---------------------+--------------------+-------------+-----------------------------------+
--- | 'bruteForce'        | O(n³)              | O(m)        | the definition                    |
 -- +---------------------+--------------------+-------------+-----------------------------------+
 --
 -- n corners, m elementary visible pairs. docs/scan-bound.md proves the bound of the topological sweep.
@@ -41,14 +38,11 @@ module Visibility.Sweep
   , referenceVertices
     -- * The straight sweep
   , straightVertices
-    -- * The oracle
-  , bruteForce
   ) where
 
 import Data.List (unfoldr)
 import Visibility.Law (broken)
 import Visibility.Scene (Scene, cornerCount)
-import Visibility.Sweep.BruteForce
 import Visibility.Sweep.Piece
 import qualified Visibility.Sweep.Reference as Reference
 import Visibility.Sweep.Straight

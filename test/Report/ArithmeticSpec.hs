@@ -12,6 +12,7 @@ import Visibility.Scene.Family (Family (Random), Seed (..), family, size)
 import Visibility.Scene.Raw (RawPolygon (..), RawScene (..))
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

@@ -32,6 +32,7 @@ import Visibility.Format.File (readRawSceneFile, readSceneFile)
 import Visibility.Scene
 import Visibility.Scene.Raw (RawScene (..), rawCorners)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.View (End (..), Flank (..), events)
 
 spec :: Spec

@@ -25,6 +25,7 @@ import Visibility.Scene
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Metamorphic
 
 spec :: Spec

@@ -15,6 +15,7 @@ import Visibility.Scene.Family
 import Visibility.Scene.Raw (RawScene)
 import Visibility.Sweep
 import Visibility.Sweep.Reference (State (..), start, step)
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 import Visibility.Test.Metamorphic
 import Visibility.Test.SweepLaw (searchWork)

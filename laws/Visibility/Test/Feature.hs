@@ -11,8 +11,8 @@ import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Scene.Raw
-import Visibility.Sweep.BruteForce (bruteForce)
 import Visibility.Sweep.Vertex
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 -- | A property of a scene that some code has to take care of.

@@ -14,7 +14,7 @@ import Visibility.Mesh
 import Visibility.Scene
 import Visibility.Scene.Cone
 import Visibility.Scene.Raw (Form (..))
-import Visibility.Sweep.BruteForce (isElementary)
+import Visibility.Test.BruteForce (isElementary)
 
 -- | A break point in names: where it is on the side, and all its casters in their order.
 data Landed = Landed

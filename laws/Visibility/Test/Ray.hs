@@ -7,8 +7,8 @@ import Data.List (minimumBy, sortBy)
 import Visibility.Exact.Predicate (Direction (..), compareDirections, direction, primitive)
 import Visibility.Ray
 import Visibility.Scene
-import Visibility.Sweep.BruteForce (bruteForce)
 import Visibility.Sweep.Vertex
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.View
 
 -- | All edges by brute force: each corner's vertices cut the half turn into intervals, and one ray each way tells the

@@ -12,6 +12,7 @@ import Visibility.Exact.RootSum (Sign (..), sign)
 import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 -- | A kind of scenes, by name.

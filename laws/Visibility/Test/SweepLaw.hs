@@ -14,9 +14,9 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Predicate
 import Visibility.Law
 import Visibility.Scene
-import Visibility.Sweep.BruteForce (isElementary)
 import Visibility.Sweep.Reference
 import Visibility.Sweep.Vertical
+import Visibility.Test.BruteForce (isElementary)
 
 -- | All laws that a state breaks; none for a state that the sweep reaches.
 --

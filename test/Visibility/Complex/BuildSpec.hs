@@ -10,6 +10,7 @@ import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Sweep.Reference (pending, start, step)
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Description
 import Visibility.Test.Generator
 import Visibility.Test.Metamorphic

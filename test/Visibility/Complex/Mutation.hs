@@ -13,7 +13,7 @@ import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Type
 import Visibility.Scene
 import Visibility.Sweep (vertexCorners)
-import Visibility.Sweep.BruteForce (isElementary)
+import Visibility.Test.BruteForce (isElementary)
 
 -- | A way to break a complex: what it does, the name of the law that must be among those violated, and all complexes
 -- that it makes of one, which may be none.

@@ -14,6 +14,7 @@ import Visibility.Draw.Scene
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 import Visibility.View
 

@@ -14,6 +14,7 @@ import Visibility.Format.Complex
 import Visibility.Format.File (readSceneFile)
 import Visibility.Scene (cornerCount)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

@@ -18,6 +18,7 @@ import Visibility.Mesh.Type (Mesh (..))
 import Visibility.Scene
 import Visibility.Scene.Raw (Form (..), RawPolygon (..), RawScene (..))
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 import Visibility.Test.Landing (positionOn)
 import Visibility.Test.Light (furnished)

@@ -14,6 +14,7 @@ import Visibility.FormFactor
 import Visibility.Scene
 import Visibility.Scene.Flat
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

@@ -11,9 +11,10 @@ import Visibility.Exact.Point (coordinates)
 import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene
-import Visibility.Sweep (Vertex, bruteForce, isDegenerate, vertexPairs)
+import Visibility.Sweep (Vertex, isDegenerate, vertexPairs)
 import Visibility.Sweep.Reference
 import Visibility.Sweep.Vertical (Heading (..))
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 import Visibility.Test.SweepLaw
 

@@ -9,9 +9,9 @@ import Test.QuickCheck hiding (sample)
 import Visibility.Law (Violation (..))
 import Visibility.Scene
 import Visibility.Scene.Family
-import Visibility.Sweep (bruteForce)
 import Visibility.Sweep.Reference
 import Visibility.Sweep.Vertical (Heading (..))
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 import Visibility.Test.SearchLaw
 

@@ -10,6 +10,7 @@ import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Scene
 import Visibility.Scene.Family
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

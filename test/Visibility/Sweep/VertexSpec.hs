@@ -7,6 +7,7 @@ import Test.Hspec
 import Test.QuickCheck hiding (sample)
 import Visibility.Scene
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

@@ -10,6 +10,7 @@ import Visibility.Ray
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Sweep.Vertical
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Generator
 
 spec :: Spec

@@ -16,6 +16,7 @@ import System.Directory (listDirectory)
 import System.FilePath (dropExtension, (</>))
 import Visibility.Format.File (readSceneFile)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 
 data Row = Row
   { rowScene :: !String

@@ -24,6 +24,7 @@ import Visibility.Draw.Scale (counted)
 import Report.Plot
 import Visibility.Scene
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 
 -- | The ways to decide signs, by their names; how each is judged.
 data Way = Contained | Here (Scene -> Scene)

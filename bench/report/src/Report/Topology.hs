@@ -21,6 +21,7 @@ import Report.Plot
 import Visibility.Scene
 import Visibility.Scene.Family (Family (..), familyPurpose)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 
 -- | One arithmetic and scheduler on one scene.
 data Row = Row

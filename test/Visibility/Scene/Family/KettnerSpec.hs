@@ -15,6 +15,7 @@ import Visibility.Scene.Family
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
+import Visibility.Test.BruteForce (bruteForce)
 import Visibility.Test.Metamorphic (graphOf)
 
 spec :: Spec

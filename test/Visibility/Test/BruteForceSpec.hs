@@ -1,11 +1,11 @@
-module Visibility.Sweep.BruteForceSpec (spec) where
+module Visibility.Test.BruteForceSpec (spec) where
 
 import Data.List (sort)
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
 import Visibility.Scene
 import Visibility.Sweep
-import Visibility.Sweep.BruteForce (isElementary)
+import Visibility.Test.BruteForce (bruteForce, isElementary)
 import Visibility.Test.Generator
 
 -- | The vertices of a scene of loops, by name.

@@ -1,7 +1,7 @@
 -- | All vertices of the visibility complex by trying every pair of corners: the oracle of the sweeps.
 --
 -- Written from the definition, in integers, and sharing nothing with the sweeps but the scene and the type of vertices.
-module Visibility.Sweep.BruteForce
+module Visibility.Test.BruteForce
   ( bruteForce
   , isElementary
   ) where
