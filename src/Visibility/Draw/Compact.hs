@@ -1,6 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Paths of SVG in few characters: the library writes every number with 4 decimals, which no one sees.
+--
+-- Without this, files are larger by 59 % to 71 % where there are many paths (dual of the city: 1 180 252 bytes and not
+-- 714 085; matrix of the elements of flat: 9 020 468 and not 5 266 654), compressed ones by 11 % to 57 %. It takes a
+-- seventh of the processor time of the whole command (measured in version 0.8 on the duals of flat and of the city).
 module Visibility.Draw.Compact
   ( compactPaths
   , compactPath

@@ -18,6 +18,7 @@ module Visibility.Draw.Drawing
     -- * Extents
   , Box (..)
   , boxRegion
+  , raisedBy
   , textBox
   , textBoxAt
   , textWidth
@@ -188,6 +189,16 @@ data Box = Box !Double !Double !Double !Double
 -- | A rectangle as a region.
 boxRegion :: Box -> Shape
 boxRegion (Box l b r t) = Region [Place l b, Place r b, Place r t, Place l t]
+
+-- | A shape so much higher.
+raisedBy :: Double -> Shape -> Shape
+raisedBy up shape = case shape of
+  Region places -> Region (map higher places)
+  Polyline places -> Polyline (map higher places)
+  Dot place -> Dot (higher place)
+  Label anchor place text -> Label anchor (higher place) text
+  where
+    higher (Place x y) = Place x (y + up)
 
 -- | The size of the font, in pixels; 0 for what is not text.
 textSize :: Style -> Double

@@ -58,17 +58,26 @@ data Page = Page
   }
 
 -- | The drawing of a page, 800 pixels wide: its layers, without the empty ones, and above them the layer @legend@ with
--- the texts. Facts that are too long for a line are cut off.
+-- the texts.
+--
+-- /Degenerate cases/ where the caption has more lines than the page has room for, all else stands higher.
 pageDrawing :: Page -> Drawing
 pageDrawing page =
   Drawing
     { drawingTitle = title
     , drawingDescription = pageAbout page <> Text.intercalate ", " (pageFacts page) <> "."
     , drawingWidth = canvasWidth
-    , drawingHeight = pageHeight page
-    , drawingLayers = filter (not . null . layerMarks) (pageLayers page <> [Layer "legend" Sparse texts])
+    , drawingHeight = pageHeight page + lift
+    , drawingLayers =
+        [ layer {layerMarks = if lift > 0 then map lifted (layerMarks layer) else layerMarks layer}
+        | layer <- pageLayers page <> [Layer "legend" Sparse texts]
+        , not (null (layerMarks layer))
+        ]
     }
   where
+    lifted mark = mark {markShape = raisedBy lift (markShape mark)}
+    lift = maximum (0 : [5 - y | Mark _ _ (Label _ (Place _ y) _) <- caption])
+    caption = captionLines left (pageCaption page) (right - left) (pageFacts page)
     title = pageTitle page
     (left, right) = pageAcross page
     (legendTop, legendWidth) = pageLegend page
@@ -78,7 +87,7 @@ pageDrawing page =
         (Label StartAnchor (Place left (pageHeight page - pageTop page)) (shortened FigureTitle (right - left) title))
         : legend left legendTop legendWidth (pageEntries page)
           <> pageExtras page
-          <> captionLines left (pageCaption page) (right - left) (pageFacts page)
+          <> caption
 
 -- | The base line of a caption below a legend by its top.
 pageBelow :: Double -> Double -> [Entry] -> Double
