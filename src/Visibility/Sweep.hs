@@ -10,7 +10,8 @@
 -- | 'straightVertices'  | O((m + n) log n)   | O(n)        | Orti and others, queue over faces |
 -- +---------------------+--------------------+-------------+-----------------------------------+
 --
--- n corners, m elementary visible pairs. docs/scan-bound.md proves the bound of the topological sweep.
+-- n corners, m elementary visible pairs, where no line has many corners; a line of k corners costs O(k log k).
+-- docs/scan-bound.md proves the bound of the searches of the topological sweep.
 module Visibility.Sweep
   ( -- * Vertices
     Vertex (..)
