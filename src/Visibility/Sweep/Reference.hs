@@ -116,8 +116,8 @@ start scene =
 -- /Degenerate cases/ all corners on a maximal free segment are one vertex, swept in one step.
 --
 -- /Cost/ O(log n) for each elementary pair, each corner of a chain that is looked at, and each corner of a line that is
--- asked whether it is ready; so O(m log n) for all searches, by docs/scan-bound.md, and O(k log k log n) for a line of k
--- corners.
+-- asked whether it is ready. So O(m log n) for all searches, by docs/scan-bound.md, and O(k log k log n) for a line of
+-- k corners.
 --
 -- /Laws/ the vertices are those of brute force, each once, at each corner by increasing direction.
 step :: Scene -> State -> Maybe (Vertex, State)

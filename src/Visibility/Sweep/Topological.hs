@@ -39,8 +39,8 @@ import Visibility.Sweep.Vertical
 --
 -- /Degenerate cases/ all corners on a maximal free segment make one vertex, however many there are.
 --
--- /Cost/ O(n log n) to start, then O(m) for all searches, as docs/scan-bound.md proves, and O(k log k) to see that a line
--- of k corners is ready; O(n) live memory.
+-- /Cost/ O(n log n) to start, then O(m) for all searches, as docs/scan-bound.md proves, and O(k log k) to see that a
+-- line of k corners is ready; O(n) live memory.
 --
 -- /Laws/ the set equals that of brute force; the list equals that of the reference. That no pair is left at the end is
 -- asked each time.
