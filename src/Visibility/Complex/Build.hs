@@ -15,6 +15,7 @@ import Data.Int (Int32)
 import Data.STRef (STRef, newSTRef, readSTRef, writeSTRef)
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Incidence (Outlook (..))
 import Visibility.Law (broken)
@@ -107,25 +108,25 @@ assembled :: Scene -> Collected -> Complex
 assembled scene collected =
   Complex
     { sweptScene = scene
-    , vertexStarts = starts
-    , stretchCorners = stretchCorner
-    , stretchVertices = vertexOf
-    , stretchesBefore = before
-    , stretchesAfter = after
-    , stretchBacks = column 1
-    , stretchFronts = column 2
-    , stretchFlanks = column 3
-    , stretchFaces = U.map (\f -> if f < 0 then -1 else final f) quarters
-    , lastStretches = lasts
-    , faceFirsts = U.generate faceTotal (faceColumn 2 . collectedAs)
-    , faceLasts = U.generate faceTotal lastVertex
-    , faceBacks = U.generate faceTotal (faceColumn 0 . collectedAs)
-    , faceFronts = U.generate faceTotal (faceColumn 1 . collectedAs)
-    , upperStarts = U.generate (faceTotal + 1) (\f -> chainStarts U.! (4 * f))
-    , upperTurns = U.generate faceTotal (\f -> chainStarts U.! (4 * f + 1))
-    , lowerStarts = U.generate faceTotal (\f -> chainStarts U.! (4 * f + 2))
-    , lowerTurns = U.generate faceTotal (\f -> chainStarts U.! (4 * f + 3))
-    , chains = chained
+    , vertexStarts = Table starts
+    , stretchCorners = Table stretchCorner
+    , stretchVertices = Table vertexOf
+    , stretchesBefore = Table before
+    , stretchesAfter = Table after
+    , stretchBacks = Table (column 1)
+    , stretchFronts = Table (column 2)
+    , stretchFlanks = Table (column 3)
+    , stretchFaces = Table (U.map (\f -> if f < 0 then -1 else final f) quarters)
+    , lastStretches = Table lasts
+    , faceFirsts = Table (U.generate faceTotal (faceColumn 2 . collectedAs))
+    , faceLasts = Table (U.generate faceTotal lastVertex)
+    , faceBacks = Table (U.generate faceTotal (faceColumn 0 . collectedAs))
+    , faceFronts = Table (U.generate faceTotal (faceColumn 1 . collectedAs))
+    , upperStarts = Table (U.generate (faceTotal + 1) (\f -> chainStarts U.! (4 * f)))
+    , upperTurns = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 1)))
+    , lowerStarts = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 2)))
+    , lowerTurns = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 3)))
+    , chains = Table chained
     }
   where
     starts = collectedStarts collected

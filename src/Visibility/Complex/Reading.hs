@@ -14,6 +14,7 @@ module Visibility.Complex.Reading
 
 import Data.Int (Int8)
 import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.View (Flank (..))
 
@@ -46,8 +47,8 @@ newtype Readings = Readings (U.Vector Int8)
 readings :: Complex -> Readings
 readings complex =
   Readings $
-    U.replicate (U.length (stretchFaces complex)) 0
-      U.// [ (place e quarter, if reading == Forwards then 1 else 2)
+    U.replicate (tableLength (stretchFaces complex)) 0
+      U.// [ (code (e, quarter), if reading == Forwards then 1 else 2)
            | Incident f e flank reading <- chainIncidences complex
            , quarter <- quartersOf flank
            , faceAt complex e quarter == Just f
@@ -55,13 +56,10 @@ readings complex =
 
 -- | 'Nothing' where there is no face, or, in broken tables, if the stretch is not in the chains of the face.
 readingAt :: Readings -> EdgeId -> Quarter -> Maybe Reading
-readingAt (Readings table) e quarter = case table U.! place e quarter of
+readingAt (Readings table) e quarter = case table U.! code (e, quarter) of
   1 -> Just Forwards
   2 -> Just Backwards
   _ -> Nothing
-
-place :: EdgeId -> Quarter -> Int
-place (EdgeId e) quarter = 4 * e + fromEnum quarter
 
 -- | The two quarters on a flank, from back to front.
 quartersOf :: Flank -> [Quarter]

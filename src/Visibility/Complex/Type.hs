@@ -1,3 +1,7 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE GeneralizedNewtypeDeriving #-}
+
 -- | The visibility complex in tables: vertices, stretches and faces with their incidences, by id.
 --
 -- A stretch is the part of a corner's curve between two vertices in a row. It is an edge, except where the corner is
@@ -17,6 +21,7 @@ module Visibility.Complex.Type
   , vertexIds
   , vertexAt
   , vertexEdgesAfter
+  , vertexRow
   , Kind (..)
   , vertexKinds
   , vertexBack
@@ -52,10 +57,9 @@ module Visibility.Complex.Type
   , lowerChain
   ) where
 
-import Data.Int (Int32)
 import Data.List (nub)
 import Data.Maybe (listToMaybe, mapMaybe)
-import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Table
 import Visibility.Exact.Predicate
 import Visibility.Incidence
 import Visibility.Law (broken)
@@ -66,58 +70,59 @@ import Visibility.View (isTangent)
 
 -- | A vertex, from 0.
 newtype VertexId = VertexId Int
-  deriving (Eq, Ord, Show)
+  deriving stock (Eq, Ord, Show)
+  deriving newtype (Code)
 
 -- | A stretch of a corner's curve between two consecutive vertices of the corner, from 0: an edge, or an interval in
 -- which the corner is buried. There is one for each corner of each vertex, the one that begins there; those of one
 -- vertex follow each other in the order of the corners along its line.
 newtype EdgeId = EdgeId Int
-  deriving (Eq, Ord, Show)
+  deriving stock (Eq, Ord, Show)
+  deriving newtype (Code)
 
 -- | A face, from 0.
 newtype FaceId = FaceId Int
-  deriving (Eq, Ord, Show)
+  deriving stock (Eq, Ord, Show)
+  deriving newtype (Code)
 
--- | The tables of the complex of a scene. Numbers stand for ids; −1 where there is none; objects as in the tables of
--- the sweep ('objectOf').
+-- | The tables of the complex of a scene. Objects are numbered as in the tables of the sweep ('objectOf').
 --
 -- /Cost/ 44 bytes per corner of a vertex, 32 per face, 4 per vertex and per corner; the chains take 4 bytes per
 -- incidence of a stretch with a face. Under the sky, face 0 is that of the lines that miss everything. Shown as
 -- @\<complex: 6 vertices, 12 edges, 8 faces\>@.
 data Complex = Complex
   { sweptScene :: !Scene
-  , vertexStarts :: !(U.Vector Int32)
+  , vertexStarts :: !(Table VertexId EdgeId)
   -- ^ The stretches that begin at vertex v are those from entry v on, below entry v + 1.
-  , stretchCorners :: !(U.Vector Int32)
-  , stretchVertices :: !(U.Vector Int32)
+  , stretchCorners :: !(Table EdgeId CornerId)
+  , stretchVertices :: !(Table EdgeId VertexId)
   -- ^ The vertex at which a stretch begins.
-  , stretchesBefore :: !(U.Vector Int32)
+  , stretchesBefore :: !(Table EdgeId EdgeId)
   -- ^ The stretch of the same corner that ends where this one begins.
-  , stretchesAfter :: !(U.Vector Int32)
+  , stretchesAfter :: !(Table EdgeId EdgeId)
   -- ^ The stretch of the same corner that begins where this one ends. Where the half turn cuts a stretch, it is
   -- glued: after the last stretch of a corner comes its first one, read backwards.
-  , stretchBacks :: !(U.Vector Int32)
+  , stretchBacks :: !(Table EdgeId (Maybe Object))
   -- ^ The object seen backward, where the stretch begins.
-  , stretchFronts :: !(U.Vector Int32)
-  , stretchFlanks :: !(U.Vector Int32)
-  -- ^ 1 where the following corner of the polygon lies above the line, where the stretch begins.
-  , stretchFaces :: !(U.Vector Int32)
-  -- ^ Four for each stretch, by 'Quarter', where the stretch begins. A face on both quarters of a flank is entered
-  -- twice.
-  , lastStretches :: !(U.Vector Int32)
-  -- ^ By corner: its stretch that goes on over the end of the half turn.
-  , faceFirsts :: !(U.Vector Int32)
-  , faceLasts :: !(U.Vector Int32)
-  , faceBacks :: !(U.Vector Int32)
-  , faceFronts :: !(U.Vector Int32)
-  , upperStarts :: !(U.Vector Int32)
+  , stretchFronts :: !(Table EdgeId (Maybe Object))
+  , stretchFlanks :: !(Table EdgeId Flank)
+  -- ^ Where the following corner of the polygon lies, where the stretch begins: 1 stands for above.
+  , stretchFaces :: !(Table (EdgeId, Quarter) (Maybe FaceId))
+  -- ^ Where the stretch begins. A face on both quarters of a flank is entered twice.
+  , lastStretches :: !(Table CornerId EdgeId)
+  -- ^ The stretch that goes on over the end of the half turn.
+  , faceFirsts :: !(Table FaceId (Maybe VertexId))
+  , faceLasts :: !(Table FaceId (Maybe VertexId))
+  , faceBacks :: !(Table FaceId Object)
+  , faceFronts :: !(Table FaceId Object)
+  , upperStarts :: !(Table FaceId Int)
   -- ^ The upper chain of face f is in 'chains' from entry f on, below entry f of 'lowerStarts'.
-  , lowerStarts :: !(U.Vector Int32)
+  , lowerStarts :: !(Table FaceId Int)
   -- ^ The lower chain of face f is in 'chains' from entry f on, below entry f + 1 of 'upperStarts'.
-  , upperTurns :: !(U.Vector Int32)
+  , upperTurns :: !(Table FaceId Int)
   -- ^ Where in 'chains' the part of the upper chain begins that lies after the end of the half turn.
-  , lowerTurns :: !(U.Vector Int32)
-  , chains :: !(U.Vector Int32)
+  , lowerTurns :: !(Table FaceId Int)
+  , chains :: !(Table Int EdgeId)
   }
 
 instance Show Complex where
@@ -131,14 +136,10 @@ instance Show Complex where
 complexScene :: Complex -> Scene
 complexScene = sweptScene
 
-at :: U.Vector Int32 -> Int -> Int
-at table i = fromIntegral (table U.! i)
-{-# INLINE at #-}
-
 vertexTotal, stretchTotal, faceTotal :: Complex -> Int
-vertexTotal complex = U.length (vertexStarts complex) - 1
-stretchTotal = U.length . stretchCorners
-faceTotal = U.length . faceFirsts
+vertexTotal complex = tableLength (vertexStarts complex) - 1
+stretchTotal = tableLength . stretchCorners
+faceTotal = tableLength . faceFirsts
 
 -- | All vertices, in the order of the stream that the complex was built from.
 vertexIds :: Complex -> [VertexId]
@@ -152,8 +153,14 @@ vertexAt complex v = case map (edgeCorner complex) (vertexEdgesAfter complex v) 
 
 -- | The stretches that begin at a vertex, in the order of its corners.
 vertexEdgesAfter :: Complex -> VertexId -> [EdgeId]
-vertexEdgesAfter complex (VertexId v) =
-  map EdgeId [at (vertexStarts complex) v .. at (vertexStarts complex) (v + 1) - 1]
+vertexEdgesAfter complex v = map EdgeId [first .. end - 1]
+  where
+    (EdgeId first, EdgeId end) = vertexRow complex v
+
+-- | The first stretch that begins at a vertex, and the one after the last.
+vertexRow :: Complex -> VertexId -> (EdgeId, EdgeId)
+vertexRow complex v@(VertexId i) = (at (vertexStarts complex) v, at (vertexStarts complex) (VertexId (i + 1)))
+{-# INLINE vertexRow #-}
 
 -- | What the line of a vertex does at one of its corners.
 data Kind
@@ -200,12 +207,12 @@ vertexFront complex v = beyondEnd complex stretchFronts (reverse (vertexEdgesAft
 
 -- | What is seen from the first of some stretches, or from the other one in its place, where the line runs along both
 -- faces of a wall: it goes on along one of them at most.
-beyondEnd :: Complex -> (Complex -> U.Vector Int32) -> [EdgeId] -> Maybe Object
+beyondEnd :: Complex -> (Complex -> Table EdgeId (Maybe Object)) -> [EdgeId] -> Maybe Object
 beyondEnd complex table found = listToMaybe (mapMaybe object here)
   where
     here = [e | first <- take 1 found, e <- takeWhile (samePlace scene (cornerOf first) . cornerOf) found]
     cornerOf = edgeCorner complex
-    object (EdgeId e) = objectOf scene (at (table complex) e)
+    object = objectOf scene . numberAt (table complex)
     scene = complexScene complex
 
 -- | The incident edges in cyclic order, counter-clockwise in the dual (angle to the right, offset upwards), beginning
@@ -233,15 +240,15 @@ stretchIds complex = map EdgeId [0 .. stretchTotal complex - 1]
 
 -- | Is the stretch an edge, that is, not buried?
 isEdge :: Complex -> EdgeId -> Bool
-isEdge complex (EdgeId e) = at (stretchBacks complex) e /= solid || at (stretchFronts complex) e /= solid
+isEdge complex e = numberAt (stretchBacks complex) e /= solid || numberAt (stretchFronts complex) e /= solid
 
 edgeCorner :: Complex -> EdgeId -> CornerId
-edgeCorner complex (EdgeId e) = CornerId (at (stretchCorners complex) e)
+edgeCorner = at . stretchCorners
 {-# INLINE edgeCorner #-}
 
 -- | The vertex where a stretch begins.
 edgeFirst :: Complex -> EdgeId -> VertexId
-edgeFirst complex (EdgeId e) = VertexId (at (stretchVertices complex) e)
+edgeFirst = at . stretchVertices
 {-# INLINE edgeFirst #-}
 
 -- | The vertex where it ends; the same one for an end of a thin wall that sees no other corner.
@@ -251,20 +258,20 @@ edgeLast complex = edgeFirst complex . edgeAfter complex
 
 -- | The stretch of the same corner that ends where this one begins.
 edgeBefore :: Complex -> EdgeId -> EdgeId
-edgeBefore complex (EdgeId e) = EdgeId (at (stretchesBefore complex) e)
+edgeBefore = at . stretchesBefore
 {-# INLINE edgeBefore #-}
 
 -- | The stretch of the same corner that begins where this one ends.
 edgeAfter :: Complex -> EdgeId -> EdgeId
-edgeAfter complex (EdgeId e) = EdgeId (at (stretchesAfter complex) e)
+edgeAfter = at . stretchesAfter
 {-# INLINE edgeAfter #-}
 
 -- | The view during a stretch, read as it is where the stretch begins.
 edgeView :: Complex -> EdgeId -> View Object
-edgeView complex (EdgeId e) =
-  viewOf (complexScene complex) (Outlook (code stretchBacks) (code stretchFronts) (code stretchFlanks))
+edgeView complex e =
+  viewOf (complexScene complex) (Outlook (number stretchBacks) (number stretchFronts) (number stretchFlanks))
   where
-    code table = at (table complex) e
+    number table = numberAt (table complex) e
 
 -- | The direction in which a stretch begins. Not reduced.
 edgeFrom :: Complex -> EdgeId -> Direction
@@ -275,11 +282,10 @@ edgeTo :: Complex -> EdgeId -> Direction
 edgeTo complex e = directionOf complex (edgeLast complex e)
 
 directionOf :: Complex -> VertexId -> Direction
-directionOf complex (VertexId v) = direction (scenePoints (complexScene complex)) (corner first) (corner end)
+directionOf complex v = direction (scenePoints (complexScene complex)) a b
   where
-    corner = at (stretchCorners complex)
-    first = at (vertexStarts complex) v
-    end = at (vertexStarts complex) (v + 1) - 1
+    (first, EdgeId end) = vertexRow complex v
+    (CornerId a, CornerId b) = (edgeCorner complex first, edgeCorner complex (EdgeId (end - 1)))
 
 -- | Does the stretch go on over the end of the half turn? Its last part is then read backwards.
 wrapsAround :: Complex -> EdgeId -> Bool
@@ -287,20 +293,22 @@ wrapsAround complex e = lastEdgeOf complex (edgeCorner complex e) == e
 
 -- | The stretch of a corner that goes on over the end of the half turn.
 lastEdgeOf :: Complex -> CornerId -> EdgeId
-lastEdgeOf complex (CornerId c) = EdgeId (at (lastStretches complex) c)
+lastEdgeOf = at . lastStretches
 
 -- | Where the segments of a face lie at a corner whose curve bounds it: above or below the line, and on which part of
 -- it. Where nothing cuts the line on a flank, the face there is on both parts.
 data Quarter = AboveBack | AboveFront | BelowBack | BelowFront
   deriving (Eq, Ord, Show, Enum, Bounded)
 
+-- | Four for each stretch.
+instance Code (EdgeId, Quarter) where
+  code (EdgeId e, quarter) = 4 * e + fromEnum quarter
+  decoded i = (EdgeId (i `quot` 4), toEnum (i `rem` 4))
+  {-# INLINE code #-}
+
 -- | The face on a quarter of a stretch, as it is where the stretch begins. 'Nothing' in the solid.
 faceAt :: Complex -> EdgeId -> Quarter -> Maybe FaceId
-faceAt complex (EdgeId e) quarter
-  | f < 0 = Nothing
-  | otherwise = Just (FaceId f)
-  where
-    f = at (stretchFaces complex) (4 * e + fromEnum quarter)
+faceAt complex e quarter = at (stretchFaces complex) (e, quarter)
 {-# INLINE faceAt #-}
 
 -- | The faces on a flank of a stretch, from back to front: 2 and 1 where it is tangent, 1 and 1 where it is ending.
@@ -317,28 +325,25 @@ faceIds complex = map FaceId [0 .. faceTotal complex - 1]
 
 -- | The object at the back of a face's segments, as it is where the face begins.
 faceBack :: Complex -> FaceId -> Object
-faceBack complex (FaceId f) = objectAt (complexScene complex) (at (faceBacks complex) f)
+faceBack complex = objectAt (complexScene complex) . numberAt (faceBacks complex)
 
 -- | The object at their front.
 faceFront :: Complex -> FaceId -> Object
-faceFront complex (FaceId f) = objectAt (complexScene complex) (at (faceFronts complex) f)
+faceFront complex = objectAt (complexScene complex) . numberAt (faceFronts complex)
 
 -- | The vertex where a face begins; 'Nothing' for the lines under the sky that miss everything.
 faceFirst :: Complex -> FaceId -> Maybe VertexId
-faceFirst complex (FaceId f) = vertexOrNone (at (faceFirsts complex) f)
+faceFirst = at . faceFirsts
 
 -- | The vertex where a face ends; it may be the same, half a turn later.
 faceLast :: Complex -> FaceId -> Maybe VertexId
-faceLast complex (FaceId f) = vertexOrNone (at (faceLasts complex) f)
+faceLast = at . faceLasts
 
 -- | Under the sky, the face of the lines that miss everything.
 outerFace :: Complex -> Maybe FaceId
 outerFace complex = case surroundings (complexScene complex) of
   OpenSky -> Just (FaceId 0)
   Room -> Nothing
-
-vertexOrNone :: Int -> Maybe VertexId
-vertexOrNone v = if v < 0 then Nothing else Just (VertexId v)
 
 -- | A chain of a face in the order of direction. The second part lies after the end of the half turn: there, stretches
 -- are read backwards, above being below. A stretch that goes on over the end is the last of the first part.
@@ -347,17 +352,17 @@ data Chain = Chain ![EdgeId] ![EdgeId]
 
 -- | The stretches that bound a face from above, from its first vertex to its last one.
 upperChain :: Complex -> FaceId -> Chain
-upperChain complex (FaceId f) =
-  Chain (slice (entry upperStarts f) (entry upperTurns f)) (slice (entry upperTurns f) (entry lowerStarts f))
-  where
-    entry table = at (table complex)
-    slice from to = map (EdgeId . fromIntegral) (U.toList (U.slice from (to - from) (chains complex)))
+upperChain complex f =
+  chainFrom complex (at (upperStarts complex) f) (at (upperTurns complex) f) (at (lowerStarts complex) f)
 
 -- | The stretches that bound a face from below, from its first vertex to its last one. The chain of the lines that miss
 -- everything is closed: it goes around all corners in a full turn.
 lowerChain :: Complex -> FaceId -> Chain
-lowerChain complex (FaceId f) =
-  Chain (slice (entry lowerStarts f) (entry lowerTurns f)) (slice (entry lowerTurns f) (entry upperStarts (f + 1)))
+lowerChain complex f@(FaceId i) =
+  chainFrom complex (at (lowerStarts complex) f) (at (lowerTurns complex) f) (at (upperStarts complex) (FaceId (i + 1)))
+
+-- From where it begins, where it turns, and where it ends in 'chains'.
+chainFrom :: Complex -> Int -> Int -> Int -> Chain
+chainFrom complex start turnAt end = Chain (entries start turnAt) (entries turnAt end)
   where
-    entry table = at (table complex)
-    slice from to = map (EdgeId . fromIntegral) (U.toList (U.slice from (to - from) (chains complex)))
+    entries from to = map (at (chains complex)) [from .. to - 1]

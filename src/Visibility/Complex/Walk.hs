@@ -10,10 +10,10 @@ module Visibility.Complex.Walk
 
 import Data.Function (on)
 import Data.List (sortBy)
-import Data.Maybe (fromMaybe)
-import qualified Data.Vector.Unboxed as U
+import Data.Maybe (fromMaybe, isNothing)
 import Visibility.Complex.Locate
 import Visibility.Complex.Reading (Reading (..))
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -172,7 +172,7 @@ leaving complex eye piece face reading from flank
     atVertex = not (goesOn place e) && aside e == Collinear
     aside s = directionTurn (edgeTo complex s) (eyeFrom scene eye (edgeCorner complex s))
     -- The entry before the first one is the stretch that goes on into this half turn.
-    edgeIn i = EdgeId (fromIntegral (chains complex U.! (if i < low then fromMaybe i earlier else i)))
+    edgeIn i = at (chains complex) (if i < low then fromMaybe i earlier else i)
     goesOn i s = i >= low && wrapsAround complex s
     isPassed i = goesOn i s || (isBefore from (edgeTo complex s) && aside s /= inside)
       where
@@ -184,20 +184,19 @@ leaving complex eye piece face reading from flank
 -- | The part of a face's boundary above or below its lines in one reading: where it is in 'chains', and where the
 -- stretch is that goes on into this half turn from before its beginning, if there is one.
 boundary :: Complex -> FaceId -> Reading -> Flank -> (Maybe Int, Int, Int)
-boundary complex (FaceId f) reading flank = case (reading, flank) of
+boundary complex face@(FaceId f) reading flank = case (reading, flank) of
   (Forwards, Above) -> (lastIn turnUpper startLower `orNone` isOuter, startUpper, turnUpper)
   (Forwards, Below) -> (lastIn turnLower end `orNone` isOuter, startLower, turnLower)
   (Backwards, Above) -> (lastIn startLower turnLower, turnLower, end)
   (Backwards, Below) -> (lastIn startUpper turnUpper, turnUpper, startLower)
   where
-    entry table i = fromIntegral (table complex U.! i) :: Int
-    startUpper = entry upperStarts f
-    turnUpper = entry upperTurns f
-    startLower = entry lowerStarts f
-    turnLower = entry lowerTurns f
-    end = entry upperStarts (f + 1)
+    startUpper = at (upperStarts complex) face
+    turnUpper = at (upperTurns complex) face
+    startLower = at (lowerStarts complex) face
+    turnLower = at (lowerTurns complex) face
+    end = at (upperStarts complex) (FaceId (f + 1))
     lastIn from to = if to > from then Just (to - 1) else Nothing
-    isOuter = entry faceFirsts f < 0
+    isOuter = isNothing (faceFirst complex face)
     orNone found allowed = if allowed then found else Nothing
 
 -- | The least number from the first on, below the second, from which on a predicate holds; the second if there is none.
@@ -227,9 +226,7 @@ pastVertex complex eye piece to v = case (before, after) of
     _ -> atRight (towards to before)
   where
     scene = complexScene complex
-    VertexId number = v
-    entry i = fromIntegral (vertexStarts complex U.! i)
-    (first, end) = (entry number, entry (number + 1))
+    (EdgeId first, EdgeId end) = vertexRow complex v
     cornerOf i = edgeCorner complex (EdgeId i)
     place = firstWhere (\i -> cornerOf i >= CornerId (eyeRank eye)) first end
     before = inPlaceOf (place - 1) [place - 1, place - 2 .. first]
@@ -258,4 +255,4 @@ newFace complex to e quarter reading = case faceAt complex e quarter of
   Nothing -> broken "a free ray is in a face" (show (e, quarter))
 
 leftmostEdge :: Complex -> VertexId -> EdgeId
-leftmostEdge complex (VertexId v) = EdgeId (fromIntegral (vertexStarts complex U.! v))
+leftmostEdge = at . vertexStarts

@@ -4,12 +4,13 @@ module Visibility.Complex.Mutation
   , mutations
   , anyWrongNumber
   , allTables
-  , Table (..)
+  , Column (..)
   ) where
 
 import Data.Int (Int32)
 import Data.List (nub)
 import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Scene
 import Visibility.Sweep (vertexCorners)
@@ -24,48 +25,48 @@ data Mutation = Mutation
   }
 
 -- | A table of the complex: its name, itself, the complex with another one, and the numbers that may stand in it.
-data Table = Table
+data Column = Column
   { tableName :: String
   , tableOf :: Complex -> U.Vector Int32
   , withTable :: U.Vector Int32 -> Complex -> Complex
   , numbers :: Complex -> (Int, Int)
   }
 
-instance Show Table where show = tableName
+instance Show Column where show = tableName
 
 -- | All tables.
-allTables :: [Table]
+allTables :: [Column]
 allTables =
-  [ Table "vertexStarts" vertexStarts (\t c -> c {vertexStarts = t}) (\c -> (0, stretchTotal c))
-  , Table "stretchCorners" stretchCorners (\t c -> c {stretchCorners = t}) (\c -> (0, cornerTotal c - 1))
-  , Table "stretchVertices" stretchVertices (\t c -> c {stretchVertices = t}) (\c -> (0, vertexTotal c - 1))
-  , Table "stretchesBefore" stretchesBefore (\t c -> c {stretchesBefore = t}) (\c -> (0, stretchTotal c - 1))
-  , Table "stretchesAfter" stretchesAfter (\t c -> c {stretchesAfter = t}) (\c -> (0, stretchTotal c - 1))
-  , Table "stretchBacks" stretchBacks (\t c -> c {stretchBacks = t}) (\c -> (-1, objectTotal c - 1))
-  , Table "stretchFronts" stretchFronts (\t c -> c {stretchFronts = t}) (\c -> (-1, objectTotal c - 1))
-  , Table "stretchFlanks" stretchFlanks (\t c -> c {stretchFlanks = t}) (const (0, 1))
-  , Table "stretchFaces" stretchFaces (\t c -> c {stretchFaces = t}) (\c -> (-1, faceTotal c - 1))
-  , Table "lastStretches" lastStretches (\t c -> c {lastStretches = t}) (\c -> (0, stretchTotal c - 1))
-  , Table "faceFirsts" faceFirsts (\t c -> c {faceFirsts = t}) (\c -> (-1, vertexTotal c - 1))
-  , Table "faceLasts" faceLasts (\t c -> c {faceLasts = t}) (\c -> (-1, vertexTotal c - 1))
-  , Table "faceBacks" faceBacks (\t c -> c {faceBacks = t}) (\c -> (0, objectTotal c - 1))
-  , Table "faceFronts" faceFronts (\t c -> c {faceFronts = t}) (\c -> (0, objectTotal c - 1))
-  , Table "upperStarts" upperStarts (\t c -> c {upperStarts = t}) (\c -> (0, U.length (chains c)))
-  , Table "lowerStarts" lowerStarts (\t c -> c {lowerStarts = t}) (\c -> (0, U.length (chains c)))
-  , Table "upperTurns" upperTurns (\t c -> c {upperTurns = t}) (\c -> (0, U.length (chains c)))
-  , Table "lowerTurns" lowerTurns (\t c -> c {lowerTurns = t}) (\c -> (0, U.length (chains c)))
-  , Table "chains" chains (\t c -> c {chains = t}) (\c -> (0, stretchTotal c - 1))
+  [ Column "vertexStarts" (tableNumbers . vertexStarts) (\t c -> c {vertexStarts = Table t}) (\c -> (0, stretchTotal c))
+  , Column "stretchCorners" (tableNumbers . stretchCorners) (\t c -> c {stretchCorners = Table t}) (\c -> (0, cornerTotal c - 1))
+  , Column "stretchVertices" (tableNumbers . stretchVertices) (\t c -> c {stretchVertices = Table t}) (\c -> (0, vertexTotal c - 1))
+  , Column "stretchesBefore" (tableNumbers . stretchesBefore) (\t c -> c {stretchesBefore = Table t}) (\c -> (0, stretchTotal c - 1))
+  , Column "stretchesAfter" (tableNumbers . stretchesAfter) (\t c -> c {stretchesAfter = Table t}) (\c -> (0, stretchTotal c - 1))
+  , Column "stretchBacks" (tableNumbers . stretchBacks) (\t c -> c {stretchBacks = Table t}) (\c -> (-1, objectTotal c - 1))
+  , Column "stretchFronts" (tableNumbers . stretchFronts) (\t c -> c {stretchFronts = Table t}) (\c -> (-1, objectTotal c - 1))
+  , Column "stretchFlanks" (tableNumbers . stretchFlanks) (\t c -> c {stretchFlanks = Table t}) (const (0, 1))
+  , Column "stretchFaces" (tableNumbers . stretchFaces) (\t c -> c {stretchFaces = Table t}) (\c -> (-1, faceTotal c - 1))
+  , Column "lastStretches" (tableNumbers . lastStretches) (\t c -> c {lastStretches = Table t}) (\c -> (0, stretchTotal c - 1))
+  , Column "faceFirsts" (tableNumbers . faceFirsts) (\t c -> c {faceFirsts = Table t}) (\c -> (-1, vertexTotal c - 1))
+  , Column "faceLasts" (tableNumbers . faceLasts) (\t c -> c {faceLasts = Table t}) (\c -> (-1, vertexTotal c - 1))
+  , Column "faceBacks" (tableNumbers . faceBacks) (\t c -> c {faceBacks = Table t}) (\c -> (0, objectTotal c - 1))
+  , Column "faceFronts" (tableNumbers . faceFronts) (\t c -> c {faceFronts = Table t}) (\c -> (0, objectTotal c - 1))
+  , Column "upperStarts" (tableNumbers . upperStarts) (\t c -> c {upperStarts = Table t}) (\c -> (0, tableLength (chains c)))
+  , Column "lowerStarts" (tableNumbers . lowerStarts) (\t c -> c {lowerStarts = Table t}) (\c -> (0, tableLength (chains c)))
+  , Column "upperTurns" (tableNumbers . upperTurns) (\t c -> c {upperTurns = Table t}) (\c -> (0, tableLength (chains c)))
+  , Column "lowerTurns" (tableNumbers . lowerTurns) (\t c -> c {lowerTurns = Table t}) (\c -> (0, tableLength (chains c)))
+  , Column "chains" (tableNumbers . chains) (\t c -> c {chains = Table t}) (\c -> (0, stretchTotal c - 1))
   ]
 
 cornerTotal, vertexTotal, stretchTotal, faceTotal, objectTotal :: Complex -> Int
 cornerTotal = cornerCount . complexScene
-vertexTotal = subtract 1 . U.length . vertexStarts
-stretchTotal = U.length . stretchCorners
-faceTotal = U.length . faceFirsts
+vertexTotal = subtract 1 . tableLength . vertexStarts
+stretchTotal = tableLength . stretchCorners
+faceTotal = tableLength . faceFirsts
 objectTotal c = cornerTotal c + (case surroundings (complexScene c) of OpenSky -> 1; Room -> 0)
 
 -- | A table with another number at one entry.
-anyWrongNumber :: Table -> Int -> Int -> Complex -> Complex
+anyWrongNumber :: Column -> Int -> Int -> Complex -> Complex
 anyWrongNumber table i x c = withTable table (tableOf table c U.// [(i, fromIntegral x)]) c
 
 -- | All of them, most by one wrong entry or two exchanged ones.
@@ -139,11 +140,11 @@ mutations =
       , differ (stretchFaces c) q (q + 1)
       ]
   , Mutation "two faces that are one everywhere" "a vertex has the edges and faces that its corners demand" $ \c ->
-      [ c {stretchFaces = U.map (\x -> if x == g then f else x) (stretchFaces c)}
+      [ c {stretchFaces = edited (U.map (\x -> if x == g then f else x)) (stretchFaces c)}
       | q <- [0, 2 .. 4 * stretchTotal c - 2]
       , differ (stretchFaces c) q (q + 1)
-      , let f = stretchFaces c U.! q
-      , let g = stretchFaces c U.! (q + 1)
+      , let f = tableNumbers (stretchFaces c) U.! q
+      , let g = tableNumbers (stretchFaces c) U.! (q + 1)
       ]
   , Mutation "two faces on a flank exchanged" "the faces at a stretch see what its view demands" $ \c ->
       [ c {stretchFaces = swapped q (q + 1) (stretchFaces c)}
@@ -247,26 +248,29 @@ mutations =
     pairLaw = "an elementary pair begins one face and ends one"
     sampled size = nub (filter (< size) [0, size `div` 2, size - 1])
     stretchesIn c = [0 .. stretchTotal c - 1]
-    differ table i j = table U.! i >= 0 && table U.! j >= 0 && table U.! i /= table U.! j
+    differ table i j = value table i >= 0 && value table j >= 0 && value table i /= value table j
     otherThan x size = filter (/= x) (nub [(x + 1) `mod` size, (x + size `div` 2) `mod` size, size - 1])
     otherBack c =
       [ c {faceBacks = changed f x (faceBacks c)}
       | f <- [0 .. faceTotal c - 1]
       , x <- otherThan (value (faceBacks c) f) (objectTotal c)
       ]
-    sameOn a b is = and [a U.! i == b U.! i | i <- is]
+    sameOn a b is = and [value a i == value b i | i <- is]
     turnedEarly [upper, upperRest, lower, lowerRest] =
       [take (length upper - 1) upper, drop (length upper - 1) upper <> upperRest, lower, lowerRest]
     turnedEarly parts = parts
 
-value :: U.Vector Int32 -> Int -> Int
-value table i = fromIntegral (table U.! i)
+value :: Table index item -> Int -> Int
+value (Table numbers') i = fromIntegral (numbers' U.! i)
 
-changed :: Int -> Int -> U.Vector Int32 -> U.Vector Int32
-changed i x table = table U.// [(i, fromIntegral x)]
+edited :: (U.Vector Int32 -> U.Vector Int32) -> Table index item -> Table index item
+edited edit (Table numbers') = Table (edit numbers')
 
-swapped :: Int -> Int -> U.Vector Int32 -> U.Vector Int32
-swapped i j table = table U.// [(i, table U.! j), (j, table U.! i)]
+changed :: Int -> Int -> Table index item -> Table index item
+changed i x = edited (U.// [(i, fromIntegral x)])
+
+swapped :: Int -> Int -> Table index item -> Table index item
+swapped i j = edited (\t -> t U.// [(i, t U.! j), (j, t U.! i)])
 
 boundedFaces, outerFaces :: Complex -> [Int]
 boundedFaces c = [f | f <- [0 .. faceTotal c - 1], value (faceFirsts c) f >= 0]
@@ -286,11 +290,11 @@ chainParts c =
 withChainParts :: [[[Int]]] -> Complex -> Complex
 withChainParts parts c =
   c
-    { upperStarts = U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 0]
-    , upperTurns = U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 1]
-    , lowerStarts = U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 2]
-    , lowerTurns = U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 3]
-    , chains = U.fromList (map fromIntegral (concat (concat parts)))
+    { upperStarts = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 0])
+    , upperTurns = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 1])
+    , lowerStarts = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 2])
+    , lowerTurns = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 3])
+    , chains = Table (U.fromList (map fromIntegral (concat (concat parts))))
     }
   where
     bounds = map fromIntegral (scanl (+) 0 (map length (concat parts))) :: [Int32]
@@ -326,10 +330,10 @@ moved k i j parts = [part m | m <- [0 .. length parts - 1]]
 withoutVertex :: Int -> Complex -> Complex
 withoutVertex v c =
   c
-    { vertexStarts = U.ifilter (\i _ -> i /= v) (vertexStarts c)
-    , stretchVertices = U.map lower (stretchVertices c)
-    , faceFirsts = U.map lower (faceFirsts c)
-    , faceLasts = U.map lower (faceLasts c)
+    { vertexStarts = edited (U.ifilter (\i _ -> i /= v)) (vertexStarts c)
+    , stretchVertices = edited (U.map lower) (stretchVertices c)
+    , faceFirsts = edited (U.map lower) (faceFirsts c)
+    , faceLasts = edited (U.map lower) (faceLasts c)
     }
   where
     lower w = if w >= fromIntegral v then w - 1 else w
@@ -338,7 +342,8 @@ withCopyOf :: Int -> Complex -> Complex
 withCopyOf f c = withChainParts (parts <> [parts !! f]) grown
   where
     parts = chainParts c
-    again table = U.snoc table (table U.! f)
+    again :: Table index item -> Table index item
+    again = edited (\t -> U.snoc t (t U.! f))
     grown =
       c
         { faceFirsts = again (faceFirsts c)

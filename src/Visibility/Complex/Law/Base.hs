@@ -24,9 +24,9 @@ module Visibility.Complex.Law.Base
   , objectLabel
   ) where
 
-import Data.Int (Int32)
 import Data.List (intercalate)
 import qualified Data.Vector.Unboxed as U
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Exact.Predicate
@@ -56,15 +56,15 @@ exactly complex = case sceneArithmetic (complexScene complex) of
   UnsafeDouble -> complex {sweptScene = underArithmetic Filtered (complexScene complex)}
   _ -> complex
 
--- | The entry of a table. /Requires/ an index within it.
-entry :: U.Vector Int32 -> Int -> Int
-entry table i = fromIntegral (table U.! i)
+-- | The number that stands in a table. /Requires/ an index within it.
+entry :: Table index item -> Int -> Int
+entry (Table numbers) i = fromIntegral (numbers U.! i)
 {-# INLINE entry #-}
 
 vertexTotal, stretchTotal, faceTotal :: Complex -> Int
-vertexTotal complex = U.length (vertexStarts complex) - 1
-stretchTotal = U.length . stretchCorners
-faceTotal = U.length . faceFirsts
+vertexTotal complex = tableLength (vertexStarts complex) - 1
+stretchTotal = tableLength . stretchCorners
+faceTotal = tableLength . faceFirsts
 
 -- | The stretches that begin at a vertex.
 stretchesOf :: Complex -> Int -> [Int]
@@ -105,9 +105,8 @@ cornerLabel complex = cornerText . cornerName (complexScene complex) . CornerId
 
 -- | @vertex 7 (0.1 2.3)@
 vertexLabel :: Complex -> Int -> String
-vertexLabel complex v
-  | v < 0 = "no vertex"
-  | otherwise = "vertex " <> show v <> " (" <> unwords (map (cornerLabel complex) (cornersOf complex v)) <> ")"
+vertexLabel complex v =
+  "vertex " <> show v <> " (" <> unwords (map (cornerLabel complex) (cornersOf complex v)) <> ")"
 
 -- | @stretch 12 of corner 0.1 from vertex 7 (0.1 2.3)@
 stretchLabel :: Complex -> Int -> String
@@ -117,9 +116,7 @@ stretchLabel complex e =
 
 -- | @face 5 (0.1, sky)@
 faceLabel :: Complex -> Int -> String
-faceLabel complex f
-  | f < 0 = "no face"
-  | otherwise = "face " <> show f <> " (" <> intercalate ", " [name faceBack, name faceFront] <> ")"
+faceLabel complex f = "face " <> show f <> " (" <> intercalate ", " [name faceBack, name faceFront] <> ")"
   where
     name side = objectLabel complex (Just (side complex (FaceId f)))
 

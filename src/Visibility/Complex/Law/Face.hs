@@ -7,9 +7,11 @@ module Visibility.Complex.Law.Face
   , counts
   ) where
 
+import Data.Maybe (isJust)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Reading
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Scene
@@ -34,8 +36,7 @@ incidence =
                <> show times
                <> " times"
            | (q, times) <- zip [0 ..] (U.toList entered)
-           , let f = entry (stretchFaces complex) q
-           , f >= 0
+           , Just (FaceId f) <- [at (stretchFaces complex) (decoded q)]
            , times /= 1
            ]
       where
@@ -51,7 +52,7 @@ incidence =
             ]
 
 isBounded :: Complex -> Int -> Bool
-isBounded complex f = entry (faceFirsts complex) f >= 0 && entry (faceLasts complex) f >= 0
+isBounded complex f = isJust (faceFirst complex (FaceId f)) && isJust (faceLast complex (FaceId f))
 
 -- | /Cost/ O(incidences).
 boundedChains :: Law Complex
@@ -135,7 +136,9 @@ outerChain =
             <> [faceLabel complex f <> ": " <> fault | f <- outer, fault <- faultsOf complex f]
   where
     faultsOf complex f =
-      ["it has a first or a last vertex" | entry (faceFirsts complex) f >= 0 || entry (faceLasts complex) f >= 0]
+      [ "it has a first or a last vertex"
+      | isJust (faceFirst complex (FaceId f)) || isJust (faceLast complex (FaceId f))
+      ]
         <> ["it sees a side" | faceBack complex (FaceId f) /= Sky || faceFront complex (FaceId f) /= Sky]
         <> ["it has an upper chain" | upperChain complex (FaceId f) /= Chain [] []]
         <> ["a part of its lower chain is empty" | null before || null after]
@@ -161,13 +164,13 @@ pairFaces =
     \many. The pair of the two ends of a thin wall that nothing touches counts twice; of one that is touched, or has \
     \corners between its ends, each face has its own pairs."
     $ \complex ->
-      let tally table =
+      let tally end =
             U.accum
               (+)
               (U.replicate (vertexTotal complex) (0 :: Int))
-              [(fromIntegral v, 1) | v <- U.toList table, v >= 0]
-          begun = tally (faceFirsts complex)
-          ended = tally (faceLasts complex)
+              [(v, 1) | f <- faceIds complex, Just (VertexId v) <- [end complex f]]
+          begun = tally faceFirst
+          ended = tally faceLast
        in [ vertexLabel complex v <> " begins " <> show b <> " faces and ends " <> show e <> ", not " <> show want
           | v <- [0 .. vertexTotal complex - 1]
           , let (b, e, want) = (begun U.! v, ended U.! v, facesOfPairs complex (cornersOf complex v))

@@ -17,6 +17,7 @@ import Visibility.Exact.Predicate
 import Visibility.Ray
 import Visibility.Scene
 import Visibility.Scene.Cone
+import Visibility.Sweep.Vertical (solid)
 import Visibility.View (End (..), Flank (..), View (..))
 
 -- Note [Degrees]
@@ -63,7 +64,8 @@ solidEnds =
     $ \complex ->
       [ stretchLabel complex e <> ", at its " <> place <> ": the rays " <> show found <> ", the tables " <> show told
       | e <- [0 .. stretchTotal complex - 1]
-      , let told = (entry (stretchBacks complex) e < 0, entry (stretchFronts complex) e < 0, flankOf complex e)
+      , let isSolid table = entry table e == solid
+      , let told = (isSolid (stretchBacks complex), isSolid (stretchFronts complex), flankOf complex e)
       , let scene = complexScene complex
       , let c = edgeCorner complex (EdgeId e)
       , (place, moment, d) <-
@@ -136,17 +138,17 @@ stretchLabels =
     check
   where
     check complex =
-      [ stretchLabel complex e <> " has " <> show quarter <> " " <> faceLabel complex f <> shown reading <> ", not "
+      [ stretchLabel complex e <> " has " <> show quarter <> " " <> maybe "no face" (\(FaceId i) -> faceLabel complex i) f <> shown reading <> ", not "
           <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
       | e <- [0 .. stretchTotal complex - 1]
       , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
-      , let f = entry (stretchFaces complex) (4 * e + fromEnum quarter)
+      , let f = faceAt complex (EdgeId e) quarter
       , let reading = readingAt read' (EdgeId e) quarter
-      , f < 0 && isJust want || f >= 0 && want `notElem` map Just (labels f reading)
+      , maybe (isJust want) (\i -> want `notElem` map Just (labels i reading)) f
       ]
       where
         read' = readings complex
-        label f = (faceBack complex (FaceId f), faceFront complex (FaceId f))
+        label f = (faceBack complex f, faceFront complex f)
         swap (a, b) = (b, a)
         labels f (Just Forwards) = [label f]
         labels f (Just Backwards) = [swap (label f)]

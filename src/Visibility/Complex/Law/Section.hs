@@ -122,7 +122,7 @@ sectionOf complex d =
       V.accumulate
         (flip (:))
         (V.replicate (cornerCount (complexScene complex)) [])
-        (V.imap (\e c -> (fromIntegral c, EdgeId e)) (V.convert (stretchCorners complex)))
+        (V.fromList [(c, e) | e <- stretchIds complex, let CornerId c = edgeCorner complex e])
     -- Is the direction within the stretch, and before or after the end of the half turn?
     readAt e
       | wrapsAround complex e = if begun then Just Forwards else if ended then Nothing else Just Backwards

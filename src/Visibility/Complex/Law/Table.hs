@@ -13,6 +13,7 @@ import Data.List (groupBy, sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Ray
@@ -41,27 +42,27 @@ wellFormed =
           Room -> skyCode (complexScene complex) - 1
         -- Each table with the entries that it should have, and the least and the greatest number that may stand there.
         tables =
-          [ ("vertexStarts", vertexStarts, max 1 (v + 1), 0, e)
-          , ("stretchCorners", stretchCorners, e, 0, n - 1)
-          , ("stretchVertices", stretchVertices, e, 0, v - 1)
-          , ("stretchesBefore", stretchesBefore, e, 0, e - 1)
-          , ("stretchesAfter", stretchesAfter, e, 0, e - 1)
-          , ("stretchBacks", stretchBacks, e, -1, sky)
-          , ("stretchFronts", stretchFronts, e, -1, sky)
-          , ("stretchFlanks", stretchFlanks, e, 0, 1)
-          , ("stretchFaces", stretchFaces, 4 * e, -1, f - 1)
-          , ("lastStretches", lastStretches, n, 0, e - 1)
-          , ("faceFirsts", faceFirsts, f, -1, v - 1)
-          , ("faceLasts", faceLasts, f, -1, v - 1)
-          , ("faceBacks", faceBacks, f, 0, sky)
-          , ("faceFronts", faceFronts, f, 0, sky)
-          , ("upperStarts", upperStarts, f + 1, 0, chained)
-          , ("lowerStarts", lowerStarts, f, 0, chained)
-          , ("upperTurns", upperTurns, f, 0, chained)
-          , ("lowerTurns", lowerTurns, f, 0, chained)
-          , ("chains", chains, chained, 0, e - 1)
+          [ ("vertexStarts", tableNumbers . vertexStarts, max 1 (v + 1), 0, e)
+          , ("stretchCorners", tableNumbers . stretchCorners, e, 0, n - 1)
+          , ("stretchVertices", tableNumbers . stretchVertices, e, 0, v - 1)
+          , ("stretchesBefore", tableNumbers . stretchesBefore, e, 0, e - 1)
+          , ("stretchesAfter", tableNumbers . stretchesAfter, e, 0, e - 1)
+          , ("stretchBacks", tableNumbers . stretchBacks, e, -1, sky)
+          , ("stretchFronts", tableNumbers . stretchFronts, e, -1, sky)
+          , ("stretchFlanks", tableNumbers . stretchFlanks, e, 0, 1)
+          , ("stretchFaces", tableNumbers . stretchFaces, 4 * e, -1, f - 1)
+          , ("lastStretches", tableNumbers . lastStretches, n, 0, e - 1)
+          , ("faceFirsts", tableNumbers . faceFirsts, f, -1, v - 1)
+          , ("faceLasts", tableNumbers . faceLasts, f, -1, v - 1)
+          , ("faceBacks", tableNumbers . faceBacks, f, 0, sky)
+          , ("faceFronts", tableNumbers . faceFronts, f, 0, sky)
+          , ("upperStarts", tableNumbers . upperStarts, f + 1, 0, chained)
+          , ("lowerStarts", tableNumbers . lowerStarts, f, 0, chained)
+          , ("upperTurns", tableNumbers . upperTurns, f, 0, chained)
+          , ("lowerTurns", tableNumbers . lowerTurns, f, 0, chained)
+          , ("chains", tableNumbers . chains, chained, 0, e - 1)
           ]
-        chained = U.length (chains complex)
+        chained = tableLength (chains complex)
         lengths =
           [ name <> " has " <> show found <> " entries, not " <> show expected
           | (name, table, expected, _, _) <- tables
@@ -76,10 +77,10 @@ wellFormed =
           ]
         rows =
           [ "vertexStarts does not rise by 2 or more from 0 to the number of stretches"
-          | let starts = U.toList (vertexStarts complex)
+          | let starts = U.toList (tableNumbers (vertexStarts complex))
           , or (zipWith (\a b -> b - a < 2) starts (drop 1 starts))
               || take 1 starts /= [0]
-              || U.last (vertexStarts complex) /= fromIntegral e
+              || drop v starts /= [fromIntegral e]
           ]
             <> [ "the chains of face " <> show i <> " overlap: " <> show bounds
                | i <- [0 .. f - 1]
@@ -92,7 +93,7 @@ wellFormed =
                ]
             <> [ "the chains do not fill their table"
                | entry (upperStarts complex) 0 /= 0
-                   || entry (upperStarts complex) f /= U.length (chains complex)
+                   || entry (upperStarts complex) f /= chained
                ]
 
 -- | /Cost/ O(stretches).
@@ -141,7 +142,7 @@ cornerDirections =
       , (compareLines complex (entry (stretchVertices complex) e) (end complex e) == LT) == isLast complex e
       ]
         <> [ "the last stretch of corner " <> cornerLabel complex c <> " is " <> stretchLabel complex e
-           | (c, e) <- zip [0 ..] (map fromIntegral (U.toList (lastStretches complex)))
+           | (c, e) <- zip [0 ..] (map fromIntegral (U.toList (tableNumbers (lastStretches complex))))
            , entry (stretchCorners complex) e /= c
            ]
   where

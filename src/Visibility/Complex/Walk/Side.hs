@@ -11,12 +11,10 @@ module Visibility.Complex.Walk.Side
   , faceMeasure
   ) where
 
-import Control.Monad (forM_)
-import Data.Int (Int32)
+import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
-import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
+import qualified Data.Vector as V
 import Visibility.Complex.Type
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
@@ -24,45 +22,31 @@ import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.FormFactor (FormFactor, formFactor)
 import Visibility.Scene
-import Visibility.Sweep.Vertical (skyCode)
 
--- | A complex with the faces of each object: those of object k are listed from entry k on, below entry k + 1, in the
--- order of their ids.
-data SideIndex = SideIndex !Complex !(U.Vector Int32) !(U.Vector Int32)
+-- | A complex with the faces of each object: by 'SideId', then those of the sky, in the order of their ids.
+data SideIndex = SideIndex !Complex !(V.Vector [FaceId])
 
--- | /Cost/ O(number of faces) time, 8 bytes per face.
+-- | /Cost/ O(number of faces).
 sideIndex :: Complex -> SideIndex
-sideIndex complex = SideIndex complex starts listed
+sideIndex complex = SideIndex complex (V.accum (flip (:)) (V.replicate (cornerCount scene + 1) []) found)
   where
-    objects = skyCode (complexScene complex) + 1
-    faceTotal = U.length (faceBacks complex)
+    scene = complexScene complex
     -- A face that has one object at both ends is listed once.
-    ends f = if b == g then [b] else [b, g]
-      where
-        b = fromIntegral (faceBacks complex U.! f) :: Int
-        g = fromIntegral (faceFronts complex U.! f)
-    sizes = U.create $ do
-      table <- M.replicate objects 0
-      forM_ [0 .. faceTotal - 1] $ \f -> forM_ (ends f) $ \k -> M.modify table (+ 1) k
-      pure table
-    starts = U.scanl' (+) 0 sizes
-    listed = U.create $ do
-      table <- M.new (fromIntegral (U.last starts))
-      next <- U.thaw starts
-      forM_ [0 .. faceTotal - 1] $ \f -> forM_ (ends f) $ \k -> do
-        place <- M.read next k
-        M.write table (fromIntegral place) (fromIntegral f)
-        M.write next k (place + 1)
-      pure table
+    found =
+      [ (listOf scene object, f)
+      | f <- reverse (faceIds complex)
+      , object <- nub [faceBack complex f, faceFront complex f]
+      ]
+
+-- Where the faces of an object are listed.
+listOf :: Scene -> Object -> Int
+listOf scene object = case object of
+  Side (SideId s) -> s
+  Sky -> cornerCount scene
 
 -- | The faces with an object at back or front, in the order of their ids. /Cost/ O(1) for each.
 facesOf :: SideIndex -> Object -> [FaceId]
-facesOf (SideIndex complex starts listed) object =
-  [FaceId (fromIntegral (listed U.! fromIntegral i)) | i <- [starts U.! code .. starts U.! (code + 1) - 1]]
-  where
-    code = case object of
-      Side (SideId s) -> s
-      Sky -> skyCode (complexScene complex)
+facesOf (SideIndex complex lists) object = lists V.! listOf (complexScene complex) object
 
 -- | What is seen from a side.
 data SideLook = SideLook
@@ -80,7 +64,7 @@ data SideLook = SideLook
 -- /Laws/ equal to those that are added up along the sweep ('Visibility.FormFactor.formFactors'); they sum up to the
 -- part of the side that is not covered.
 sees :: SideIndex -> SideName -> Maybe SideLook
-sees index@(SideIndex complex _ _) name = looked <$> piecesOf scene name
+sees index@(SideIndex complex _) name = looked <$> piecesOf scene name
   where
     scene = complexScene complex
     looked pieces = SideLook (map factor (Map.toAscList totals)) (length faces)
