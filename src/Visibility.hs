@@ -9,7 +9,8 @@
 -- >     for_ (formFactors scene (measures scene (vertices scene))) $ \factor ->
 -- >       putStrLn (sideText (factorFrom factor) <> " " <> decimal defaultDigits (factorValue factor))
 --
--- Everything geometric is decided in exact arithmetic; degenerate scenes are ordinary input.
+-- Everything geometric is decided in exact arithmetic; degenerate scenes are ordinary input. Figures are in
+-- "Visibility.Draw".
 module Visibility
   ( -- * Scenes (all of them: "Visibility.Scene")
     Scene
@@ -98,15 +99,6 @@ module Visibility
   , digits
   , defaultDigits
   , nearestDouble
-    -- * Figures (all of them: "Visibility.Draw")
-  , Drawing
-  , sceneDrawing
-  , dualDrawing
-  , viewDrawing
-  , ViewFigure (..)
-  , meshDrawing
-  , CastingLines (..)
-  , renderSvg
   ) where
 
 import Visibility.Complex (Complex, complexOf)
@@ -125,7 +117,6 @@ import Visibility.Radiosity
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sight (Region (..), Sight (..), Viewpoint (..), region)
-import Visibility.Surface.Draw
 import Visibility.Surface.Scene
 import Visibility.Sweep (Vertex, vertexCorners, vertexPairs, vertices)
 import Visibility.View (End (..), Event (..), Flank (..), View (..), events)

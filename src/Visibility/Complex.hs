@@ -12,54 +12,15 @@
 -- Vegter, The visibility complex.
 module Visibility.Complex
   ( -- * The complex
-    Complex
-  , complexScene
-  , complexOf
+    complexOf
   , build
-    -- * Identifiers
-  , VertexId
-  , EdgeId
-  , FaceId
-    -- * Vertices
-  , vertexIds
-  , vertexAt
-  , Kind (..)
-  , vertexKinds
-  , vertexBack
-  , vertexFront
-  , vertexEdges
-  , vertexEdgesAfter
-  , vertexFaces
-    -- * Edges and buried stretches
-  , edgeIds
-  , stretchIds
-  , isEdge
-  , edgeCorner
-  , edgeFirst
-  , edgeLast
-  , edgeBefore
-  , edgeAfter
-  , edgeView
-  , edgeFrom
-  , edgeTo
-  , wrapsAround
-  , Quarter (..)
-  , faceAt
-  , edgeFacesOn
-    -- * Faces
-  , faceIds
-  , faceBack
-  , faceFront
-  , faceFirst
-  , faceLast
-  , outerFace
-  , Chain (..)
-  , upperChain
-  , lowerChain
+    -- * Its parts
+  , module Visibility.Complex.Type
   ) where
 
 import Visibility.Complex.Build
-import Visibility.Complex.Type
+import Visibility.Complex.Type (Complex, EdgeId, FaceId, VertexId)
+import Visibility.Complex.Type hiding (Complex (..), EdgeId (..), FaceId (..), VertexId (..), lastEdgeOf, vertexRow)
 import Visibility.Scene (Scene)
 import Visibility.Sweep (vertices)
 

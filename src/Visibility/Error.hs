@@ -6,26 +6,12 @@ module Visibility.Error
   ( -- * Problems of a file
     Problem (..)
   , errorText
-  , numberFaultText
     -- ** It cannot be read
   , ReadFault (..)
     -- ** It cannot be parsed
-  , ParseError (..)
-  , TextPosition (..)
-  , SyntaxFault (..)
-  , Expected (..)
-  , JsonPath (..)
-  , ShapeFault (..)
-  , OutlineFault (..)
-  , WktFault (..)
-  , WktExpected (..)
-  , Found (..)
-  , Wanted (..)
+  , module Visibility.Error.Parse
     -- ** It states no valid scene
-  , SceneError (..)
-  , MaterialPlace (..)
-  , sceneErrorPlace
-  , sceneErrorText
+  , module Visibility.Error.Scene
     -- * Outcomes of a run
   , Outcome (..)
   , exitNumber

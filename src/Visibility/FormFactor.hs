@@ -1,24 +1,9 @@
 -- | Measures of faces and form factors: as exact sums of square roots, and correctly rounded.
 module Visibility.FormFactor
-  ( -- * Measures of lines
-    Measures
-  , measures
-  , measuresInPieces
-  , measureList
-  , statedMeasures
-    -- * Form factors
-  , FormFactor (..)
-  , formFactors
-  , formFactor
-  , sideLength
-    -- * Rounded
-  , FactorRow (..)
-  , nearestFactors
-  , decimalFactors
-  , exactFactors
-    -- * Laws
-  , closureDefect
+  ( module Visibility.FormFactor.Exact
+  , module Visibility.FormFactor.Rounded
   ) where
 
-import Visibility.FormFactor.Exact
+import Visibility.FormFactor.Exact (Measures)
+import Visibility.FormFactor.Exact hiding (Measures (..), byName, seenByRank)
 import Visibility.FormFactor.Rounded

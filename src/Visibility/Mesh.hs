@@ -4,43 +4,18 @@
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
 module Visibility.Mesh
-  ( -- * Break points
-    BreakPoint (..)
-  , Cause (..)
-  , Kind (..)
-  , Caster (..)
-  , breakKind
-  , breakCasters
-  , casterNames
-    -- * Meshes
-  , Mesh
-  , meshScene
-  , breaksOn
-  , breaksOf
-  , meshSides
-  , breakCount
+  ( -- * Break points and meshes
+    module Visibility.Mesh.Type
     -- * Elements
-  , Element (..)
-  , elementText
-  , elementEnds
-  , elementNames
-  , Refined
-  , refinedScene
-  , refinedElements
-  , refined
-  , unrefined
+  , module Visibility.Mesh.Element
     -- * Making them
   , discontinuityMesh
   , uniformMesh
-  , emptyMesh
     -- * More break points
   , meshUnion
     -- * Fewer break points
   , shadowLimits
   , bounded
-  , ElementCount
-  , elementCount
-  , countedElements
   ) where
 
 import Data.Function (on)
@@ -53,10 +28,13 @@ import qualified Data.Vector as V
 import Visibility.Exact.Point (LatticePoint (..))
 import Visibility.Law (broken)
 import Visibility.Mesh.Bound
-import Visibility.Mesh.Element
+import Visibility.Mesh.Element (Refined)
+import Visibility.Mesh.Element hiding (Refined (..))
 import Visibility.Mesh.Landing
 import Visibility.Mesh.Span
-import Visibility.Mesh.Type
+import Visibility.Mesh.Type (Mesh)
+import Visibility.Mesh.Type hiding (Mesh (..), selected)
+import qualified Visibility.Mesh.Type as Inside
 import Visibility.Mesh.Union
 import Visibility.Scene
 import Visibility.Sweep.Vertex
@@ -73,7 +51,7 @@ import Visibility.Sweep.Vertex
 -- /Laws/ the same for every order of the vertices; within an element all points see the same objects in the same order,
 -- and on both sides of a break point they see others.
 discontinuityMesh :: Scene -> [Vertex] -> Mesh
-discontinuityMesh scene swept = Mesh scene (V.imap cut (pieceSpans scene))
+discontinuityMesh scene swept = Inside.Mesh scene (V.imap cut (pieceSpans scene))
   where
     found = landings scene swept
     place = cornerAt scene
@@ -111,7 +89,7 @@ alongSide piece from to (LatticePoint px py pw) (LatticePoint qx qy qw)
 --
 -- /Cost/ O(1) per break point.
 uniformMesh :: ElementCount -> Scene -> Mesh
-uniformMesh parts scene = Mesh scene (V.map cut (pieceSpans scene))
+uniformMesh parts scene = Inside.Mesh scene (V.map cut (pieceSpans scene))
   where
     n = toInteger (countedElements parts)
     cut piece = [BreakPoint t (pointOn piece t) EqualParts | k <- fromStart, let t = k % n]
@@ -122,4 +100,4 @@ uniformMesh parts scene = Mesh scene (V.map cut (pieceSpans scene))
 
 -- | Without the kinks.
 shadowLimits :: Mesh -> Mesh
-shadowLimits = selected ((== Just ShadowLimit) . breakKind)
+shadowLimits = Inside.selected ((== Just ShadowLimit) . breakKind)

@@ -5,61 +5,21 @@
 -- the boundary of free space is cut into walks that share places but never meet ("Visibility.Scene.Boundary"): corners
 -- and sides are those of the walks, and know what the file calls them.
 module Visibility.Scene
-  ( -- * The scene
-    Scene
-  , Surroundings (..)
-  , sceneTitle
-  , surroundings
-  , scenePoints
-  , sceneLattice
-  , sceneArithmetic
-  , underArithmetic
-    -- * Polygons
-  , Polygon (..)
-  , scenePolygons
-  , sceneContacts
-  , statedCorners
-    -- * Corners
-  , cornerCount
-  , corners
-  , cornerAt
-  , cornerPoint
-  , nextCorner
-  , previousCorner
-  , neighbourTable
-  , samePlace
-  , placeNumbers
-  , placeGroups
-  , hasSharedPlaces
-  , isWallEnd
-  , isSplitEnd
-  , hasSplitEnds
-    -- ** Their names
-  , cornerName
-  , namesHere
-  , cornersNamed
-  , cornerRanks
-  , polygonSizes
-  , statedPoint
-    -- * Sides
-  , sides
-  , sideStart
-  , sideEnd
-  , sideMaterial
-    -- ** Their names
-  , sideName
-  , statedSides
-  , sideRanks
-  , piecesOf
-  , sideSpan
-  , sideEnds
-  , statedMaterial
-  , uncovered
-  , seenAs
-  , objectText
-    -- * Names
+  ( module Visibility.Scene.Type
   , module Visibility.Scene.Id
   ) where
 
 import Visibility.Scene.Id
-import Visibility.Scene.Type
+import Visibility.Scene.Type (Scene)
+import Visibility.Scene.Type hiding
+  ( Scene (Scene)
+  , assemble
+  , facedSides
+  , namingCorners
+  , piecesBySide
+  , sceneOn
+  , sceneStated
+  , splitEnds
+  , statedByPlace
+  , statedPlaceNumbers
+  )

@@ -14,15 +14,7 @@
 -- docs/scan-bound.md proves the bound of the searches of the topological sweep.
 module Visibility.Sweep
   ( -- * Vertices
-    Vertex (..)
-  , vertexCorners
-  , vertexFirst
-  , vertexLast
-  , vertexPairs
-  , vertexDirection
-  , isDegenerate
-  , fromCorners
-  , compareVertices
+    module Visibility.Sweep.Vertex
     -- * Either sweep
   , Scheduler (..)
   , verticesBy

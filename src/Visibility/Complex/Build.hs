@@ -118,14 +118,14 @@ assembled scene collected =
     , stretchFlanks = Table (column 3)
     , stretchFaces = Table (U.map (\f -> if f < 0 then -1 else final f) quarters)
     , lastStretches = Table lasts
-    , faceFirsts = Table (U.generate faceTotal (faceColumn 2 . collectedAs))
-    , faceLasts = Table (U.generate faceTotal lastVertex)
-    , faceBacks = Table (U.generate faceTotal (faceColumn 0 . collectedAs))
-    , faceFronts = Table (U.generate faceTotal (faceColumn 1 . collectedAs))
-    , upperStarts = Table (U.generate (faceTotal + 1) (\f -> chainStarts U.! (4 * f)))
-    , upperTurns = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 1)))
-    , lowerStarts = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 2)))
-    , lowerTurns = Table (U.generate faceTotal (\f -> chainStarts U.! (4 * f + 3)))
+    , faceFirsts = Table (U.generate tabledFaces (faceColumn 2 . collectedAs))
+    , faceLasts = Table (U.generate tabledFaces lastVertex)
+    , faceBacks = Table (U.generate tabledFaces (faceColumn 0 . collectedAs))
+    , faceFronts = Table (U.generate tabledFaces (faceColumn 1 . collectedAs))
+    , upperStarts = Table (U.generate (tabledFaces + 1) (\f -> chainStarts U.! (4 * f)))
+    , upperTurns = Table (U.generate tabledFaces (\f -> chainStarts U.! (4 * f + 1)))
+    , lowerStarts = Table (U.generate tabledFaces (\f -> chainStarts U.! (4 * f + 2)))
+    , lowerTurns = Table (U.generate tabledFaces (\f -> chainStarts U.! (4 * f + 3)))
     , chains = Table chained
     }
   where
@@ -142,7 +142,7 @@ assembled scene collected =
     -- Faces under the sky that have no first vertex.
     outer = case surroundings scene of OpenSky -> 1; Room -> 0
     fromStart = startFaces collected
-    faceTotal = U.length faces `quot` faceWidth - fromStart + outer
+    tabledFaces = U.length faces `quot` faceWidth - fromStart + outer
     faceColumn k f = faces U.! (faceWidth * f + k)
     -- From the number of a face in the tables to that while it was collected, and back: of faces that begin at a
     -- vertex, and of the outer one. (A face at the start is the rest of one of these.)
@@ -165,7 +165,7 @@ assembled scene collected =
       | otherwise = broken "a face spans less than half a turn" (show f)
     -- By faces in the tables: the face at the start that is the rest of it, or −1.
     rests =
-      U.replicate faceTotal (-1)
+      U.replicate tabledFaces (-1)
         U.// [(fromIntegral f, s) | (s, f) <- zip [0 ..] (U.toList continued), fromIntegral f >= outer]
     lastVertex f
       | f < outer = -1
@@ -183,7 +183,7 @@ assembled scene collected =
     chainOf i f
       | f < 0 || (odd i && quarters `U.unsafeIndex` (i - 1) == f) = -1
       | otherwise = 4 * final f + fromIntegral (part (i .&. 2 == 0) f)
-    (chainStarts, chained) = grouped (4 * faceTotal) (U.imap chainOf quarters) (`shiftR` 2)
+    (chainStarts, chained) = grouped (4 * tabledFaces) (U.imap chainOf quarters) (`shiftR` 2)
 
 -- | For entries that say where the items of each group start: the group of each item.
 spread :: U.Vector Int32 -> U.Vector Int32

@@ -1,7 +1,5 @@
--- | Tables by ids of one kind that hold things of another one, in numbers of 32 bits.
---
--- What the numbers are is known here and to those who make tables ("Visibility.Complex.Build"), check them
--- ("Visibility.Complex.Law") or break them on purpose, in tests.
+-- | Tables by ids of one kind that hold things of another one, in numbers of 32 bits. Who makes tables, checks them or
+-- breaks them on purpose sees the numbers.
 module Visibility.Complex.Table
   ( Table (..)
   , Code (..)

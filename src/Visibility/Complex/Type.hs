@@ -13,6 +13,9 @@ module Visibility.Complex.Type
   ( -- * Tables
     Complex (..)
   , complexScene
+  , vertexTotal
+  , stretchTotal
+  , faceTotal
     -- * Identifiers
   , VertexId (..)
   , EdgeId (..)
@@ -136,6 +139,7 @@ instance Show Complex where
 complexScene :: Complex -> Scene
 complexScene = sweptScene
 
+-- How many there are.
 vertexTotal, stretchTotal, faceTotal :: Complex -> Int
 vertexTotal complex = tableLength (vertexStarts complex) - 1
 stretchTotal = tableLength . stretchCorners

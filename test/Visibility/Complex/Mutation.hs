@@ -37,32 +37,37 @@ instance Show Column where show = tableName
 -- | All tables.
 allTables :: [Column]
 allTables =
-  [ Column "vertexStarts" (tableNumbers . vertexStarts) (\t c -> c {vertexStarts = Table t}) (\c -> (0, stretchTotal c))
-  , Column "stretchCorners" (tableNumbers . stretchCorners) (\t c -> c {stretchCorners = Table t}) (\c -> (0, cornerTotal c - 1))
-  , Column "stretchVertices" (tableNumbers . stretchVertices) (\t c -> c {stretchVertices = Table t}) (\c -> (0, vertexTotal c - 1))
-  , Column "stretchesBefore" (tableNumbers . stretchesBefore) (\t c -> c {stretchesBefore = Table t}) (\c -> (0, stretchTotal c - 1))
-  , Column "stretchesAfter" (tableNumbers . stretchesAfter) (\t c -> c {stretchesAfter = Table t}) (\c -> (0, stretchTotal c - 1))
-  , Column "stretchBacks" (tableNumbers . stretchBacks) (\t c -> c {stretchBacks = Table t}) (\c -> (-1, objectTotal c - 1))
-  , Column "stretchFronts" (tableNumbers . stretchFronts) (\t c -> c {stretchFronts = Table t}) (\c -> (-1, objectTotal c - 1))
-  , Column "stretchFlanks" (tableNumbers . stretchFlanks) (\t c -> c {stretchFlanks = Table t}) (const (0, 1))
-  , Column "stretchFaces" (tableNumbers . stretchFaces) (\t c -> c {stretchFaces = Table t}) (\c -> (-1, faceTotal c - 1))
-  , Column "lastStretches" (tableNumbers . lastStretches) (\t c -> c {lastStretches = Table t}) (\c -> (0, stretchTotal c - 1))
-  , Column "faceFirsts" (tableNumbers . faceFirsts) (\t c -> c {faceFirsts = Table t}) (\c -> (-1, vertexTotal c - 1))
-  , Column "faceLasts" (tableNumbers . faceLasts) (\t c -> c {faceLasts = Table t}) (\c -> (-1, vertexTotal c - 1))
-  , Column "faceBacks" (tableNumbers . faceBacks) (\t c -> c {faceBacks = Table t}) (\c -> (0, objectTotal c - 1))
-  , Column "faceFronts" (tableNumbers . faceFronts) (\t c -> c {faceFronts = Table t}) (\c -> (0, objectTotal c - 1))
-  , Column "upperStarts" (tableNumbers . upperStarts) (\t c -> c {upperStarts = Table t}) (\c -> (0, tableLength (chains c)))
-  , Column "lowerStarts" (tableNumbers . lowerStarts) (\t c -> c {lowerStarts = Table t}) (\c -> (0, tableLength (chains c)))
-  , Column "upperTurns" (tableNumbers . upperTurns) (\t c -> c {upperTurns = Table t}) (\c -> (0, tableLength (chains c)))
-  , Column "lowerTurns" (tableNumbers . lowerTurns) (\t c -> c {lowerTurns = Table t}) (\c -> (0, tableLength (chains c)))
-  , Column "chains" (tableNumbers . chains) (\t c -> c {chains = Table t}) (\c -> (0, stretchTotal c - 1))
+  [ column "vertexStarts" vertexStarts (\t c -> c {vertexStarts = t}) (\c -> (0, stretchTotal c))
+  , column "stretchCorners" stretchCorners (\t c -> c {stretchCorners = t}) (\c -> (0, cornerTotal c - 1))
+  , column "stretchVertices" stretchVertices (\t c -> c {stretchVertices = t}) (\c -> (0, vertexTotal c - 1))
+  , column "stretchesBefore" stretchesBefore (\t c -> c {stretchesBefore = t}) (\c -> (0, stretchTotal c - 1))
+  , column "stretchesAfter" stretchesAfter (\t c -> c {stretchesAfter = t}) (\c -> (0, stretchTotal c - 1))
+  , column "stretchBacks" stretchBacks (\t c -> c {stretchBacks = t}) (\c -> (-1, objectTotal c - 1))
+  , column "stretchFronts" stretchFronts (\t c -> c {stretchFronts = t}) (\c -> (-1, objectTotal c - 1))
+  , column "stretchFlanks" stretchFlanks (\t c -> c {stretchFlanks = t}) (const (0, 1))
+  , column "stretchFaces" stretchFaces (\t c -> c {stretchFaces = t}) (\c -> (-1, faceTotal c - 1))
+  , column "lastStretches" lastStretches (\t c -> c {lastStretches = t}) (\c -> (0, stretchTotal c - 1))
+  , column "faceFirsts" faceFirsts (\t c -> c {faceFirsts = t}) (\c -> (-1, vertexTotal c - 1))
+  , column "faceLasts" faceLasts (\t c -> c {faceLasts = t}) (\c -> (-1, vertexTotal c - 1))
+  , column "faceBacks" faceBacks (\t c -> c {faceBacks = t}) (\c -> (0, objectTotal c - 1))
+  , column "faceFronts" faceFronts (\t c -> c {faceFronts = t}) (\c -> (0, objectTotal c - 1))
+  , column "upperStarts" upperStarts (\t c -> c {upperStarts = t}) (\c -> (0, tableLength (chains c)))
+  , column "lowerStarts" lowerStarts (\t c -> c {lowerStarts = t}) (\c -> (0, tableLength (chains c)))
+  , column "upperTurns" upperTurns (\t c -> c {upperTurns = t}) (\c -> (0, tableLength (chains c)))
+  , column "lowerTurns" lowerTurns (\t c -> c {lowerTurns = t}) (\c -> (0, tableLength (chains c)))
+  , column "chains" chains (\t c -> c {chains = t}) (\c -> (0, stretchTotal c - 1))
   ]
 
-cornerTotal, vertexTotal, stretchTotal, faceTotal, objectTotal :: Complex -> Int
+column
+  :: String
+  -> (Complex -> Table index item)
+  -> (Table index item -> Complex -> Complex)
+  -> (Complex -> (Int, Int))
+  -> Column
+column name table with = Column name (tableNumbers . table) (with . Table)
+
+cornerTotal, objectTotal :: Complex -> Int
 cornerTotal = cornerCount . complexScene
-vertexTotal = subtract 1 . tableLength . vertexStarts
-stretchTotal = tableLength . stretchCorners
-faceTotal = tableLength . faceFirsts
 objectTotal c = cornerTotal c + (case surroundings (complexScene c) of OpenSky -> 1; Room -> 0)
 
 -- | A table with another number at one entry.

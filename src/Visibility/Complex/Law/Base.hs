@@ -6,9 +6,6 @@ module Visibility.Complex.Law.Base
   , lawOf
     -- * Reading the tables
   , entry
-  , vertexTotal
-  , stretchTotal
-  , faceTotal
   , exactly
   , stretchesOf
   , cornersOf
@@ -60,11 +57,6 @@ exactly complex = case sceneArithmetic (complexScene complex) of
 entry :: Table index item -> Int -> Int
 entry (Table numbers) i = fromIntegral (numbers U.! i)
 {-# INLINE entry #-}
-
-vertexTotal, stretchTotal, faceTotal :: Complex -> Int
-vertexTotal complex = tableLength (vertexStarts complex) - 1
-stretchTotal = tableLength . stretchCorners
-faceTotal = tableLength . faceFirsts
 
 -- | The stretches that begin at a vertex.
 stretchesOf :: Complex -> Int -> [Int]
