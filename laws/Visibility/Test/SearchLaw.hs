@@ -126,7 +126,12 @@ searchViolations :: Scene -> Set Pair -> Moment -> [Violation]
 searchViolations scene pairs moment =
   concat
     [ law "Lemma 3, nothing hides the target that is found" $
-        [e | e <- take 1 previous, Map.lookup e (targets tree) == target, hides scene tree e p]
+        [ e
+        | e <- take 1 previous
+        , Map.lookup e (targets tree) == target
+        , not (samePlace scene e p)
+        , hides scene tree e p
+        ]
     , law "a corner passed is seen" [c | c <- near, Set.notMember (facing c) pairs]
     , law "Lemma 4, the corner is below the edges passed" $
         [e | e@(c, d) <- edges, turned scene c d p /= RightTurn]

@@ -119,13 +119,11 @@ underCeiling f tree !p !l !e
   | e == noNode = toItsEnd
   | otherwise = do
       s <- getSource tree e
-      if comesBefore f p s && not (sharePlace f p s) then settle f tree p l e else toItsEnd
+      if comesBefore f p s then settle f tree p l e else toItsEnd
   where
     !a = listOwner l
     toItsEnd
-      | a < frameSize f
-      , comesBefore f p a
-      , not (sharePlace f p a) =
+      | a < frameSize f && comesBefore f p a =
           getNode tree (final (cornerList a)) >>= settle f tree p (cornerList a)
       | otherwise = settle f tree p l e
 
@@ -160,19 +158,13 @@ hidesAsEdge f tree !p !e = do
   own <- getNode tree (edge s)
   if own == e then hides f tree p s else pure False
 
--- | Does the tree edge from s to t hide t from p? One from the place of p never does: it lies in another cone of free
--- space there.
+-- | Does the tree edge from s to t hide t from p? Of an edge that leaves the place of p this is never asked; see Note
+-- [Corners in one place] of the reference.
 hides :: Frame -> Growing s -> Int -> Int -> ST s Bool
 hides f tree !p !s
   | comesBefore f p s = do
       l <- getList tree (target s)
-      pure $!
-        if isCornerList l
-          then case turnIn f s (listOwner l) p of
-            LeftTurn -> True
-            RightTurn -> False
-            Collinear -> not (sharePlace f p s)
-          else not (sharePlace f p s)
+      pure $! not (isCornerList l) || turnIn f s (listOwner l) p /= RightTurn
   | otherwise = pure False
 {-# INLINE hides #-}
 

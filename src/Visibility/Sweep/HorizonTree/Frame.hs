@@ -9,7 +9,6 @@ module Visibility.Sweep.HorizonTree.Frame
   , preceding
   , comesBefore
   , turnIn
-  , sharePlace
     -- * Nodes of sides
   , markerOf
   ) where
@@ -32,7 +31,6 @@ data Tables = Tables
   { tableSize :: !Int
   , tableCorners :: !(PrimArray Int32)
   -- ^ Of corner i, from 4i on: x and y where machine integers decide, and the following and the preceding corner.
-  , tablePlaces :: !(PrimArray Int32)
   , tableDecides :: !Decides
   }
 
@@ -56,12 +54,11 @@ sceneTables scene = case pointsKernel points of
     n = cornerCount scene
     points = scenePoints scene
     around = neighbourTable scene
-    tabled decides xs = Tables n (generatePrimArray (4 * n) part) (flat (placeNumbers scene)) decides
+    tabled decides xs = Tables n (generatePrimArray (4 * n) part) decides
       where
         part i
           | even (i `div` 2) = xs U.! (2 * (i `div` 4) + i `mod` 2)
           | otherwise = around U.! (2 * (i `div` 4) + i `mod` 2)
-    flat v = generatePrimArray (U.length v) (v U.!)
 
 tablesOf :: Frame -> Tables
 tablesOf (RightwardFrame tables) = tables
@@ -97,13 +94,6 @@ turnIn f a b c = case tableDecides (tablesOf f) of
     x i = fromIntegral (ofCorner f (4 * i))
     y i = fromIntegral (ofCorner f (4 * i + 1))
 {-# INLINE turnIn #-}
-
--- | Are two corners in one place?
-sharePlace :: Frame -> Int -> Int -> Bool
-sharePlace f a b = place a == place b
-  where
-    place = indexPrimArray (tablePlaces (tablesOf f))
-{-# INLINE sharePlace #-}
 
 -- | The marker of the side from s to t, s before t, or 'noNode' where they are not joined by a side.
 markerOf :: Frame -> Int -> Int -> Node

@@ -171,7 +171,7 @@ aim scene tree p q way = case way of
       (Just e, _) | isAhead e -> (roof, justBefore)
       (_, ToCeiling (SideId a)) | end <- CornerId a, isAhead end -> (ToCorner end, lastArrival tree (ToCorner end))
       _ -> (roof, justBefore)
-    isAhead c = goesTo tree p c && not (samePlace scene p c)
+    isAhead = goesTo tree p
 
 -- | What arrives just before the front may hide what p aims at. If it does, it is the last edge of a chain: this is
 -- gone along from its leaf to the first edge that hides, the next target is the corner at which that begins, and the
@@ -193,10 +193,10 @@ settle scene tree p first justBefore = case justBefore of
   where
     unhidden tests = (tree, Search [] tests first)
 
--- | Does the tree edge of s hide its target from p? One from the place of p never does: it lies in another cone of free
--- space there.
+-- | Does the tree edge of s hide its target from p? Of an edge that leaves the place of p this is never asked; see Note
+-- [Corners in one place].
 hides :: Scene -> Tree -> CornerId -> CornerId -> Bool
-hides scene tree s p = goesTo tree p s && not (samePlace scene p s) && isAbove
+hides scene tree s p = goesTo tree p s && isAbove
   where
     isAbove = maybe True (\t -> turned scene s t p /= RightTurn) (cornerAhead tree s)
 
