@@ -87,9 +87,9 @@ import Visibility.Sweep.Vertical
 -- Where polygons touch, a place has one corner for each cone of free space. Complete the inside of free space by its
 -- inner distance: a place becomes as many points as it has cones, and a piece of a wall gets two faces. In this space
 -- nothing touches. The inner corners of a taut path have angles of 180° or more on the side of P, so each belongs to
--- one cone; and regions in the proofs are free inside, so they are as in the plane. Ids order corners in one place, though
--- neither is before the other in the plane. That does no harm: no search asks an edge that leaves the place of p, and
--- no corner that is looked at under a ceiling is there. docs/scan-bound.md proves it.
+-- one cone; and regions in the proofs are free inside, so they are as in the plane. Ids order corners in one place,
+-- though neither is before the other in the plane. That does no harm: no search asks an edge that leaves the place of
+-- p, and no corner that is looked at under a ceiling is there. docs/scan-bound.md proves it.
 
 -- | The next pairs of all corners in one heading. Seen 'Leftward' the scene is turned by 180°: right is left, above is
 -- below; slopes and turns stay. So one tree serves both, and all that is said of it here is said of the rightward one.
