@@ -23,8 +23,9 @@ module Visibility.Exact.DoubleDouble
   , twoSum
   , twoProduct
     -- * What is proved
-  , sumEnclosure
-  , quotientEnclosure
+  , sumBound
+  , Quotient2 (..)
+  , halfQuotient
   ) where
 
 import Data.Bits (shift, shiftR, (.&.))
@@ -192,26 +193,6 @@ halfQuotient total (Double2 length1 length2) = Quotient2 (x > 4 * bound) h g sla
 sumBound :: Sum2 -> Double
 sumBound (Sum2 _ _ size count) = size * (count * count + 5 * count + 9) * 0x1p-106 * (1 + 0x1p-20)
 {-# INLINE sumBound #-}
-
--- | What is known of a sum: a lower and an upper bound.
---
--- /Requires/ fewer than 2^20 lengths in the range of Doubles. /Laws/ the exact sum lies between.
-sumEnclosure :: Sum2 -> (Rational, Rational)
-sumEnclosure total@(Sum2 a b _ _) = (middle - slack, middle + slack)
-  where
-    middle = toRational a + toRational b
-    slack = toRational (sumBound total)
-
--- | What is known of a sum divided by twice a length, if the sum is surely positive.
---
--- /Laws/ the exact quotient lies between.
-quotientEnclosure :: Sum2 -> Double2 -> Maybe (Rational, Rational)
-quotientEnclosure total by
-  | surely = Just (middle - toRational slack, middle + toRational slack)
-  | otherwise = Nothing
-  where
-    Quotient2 surely h g slack = halfQuotient total by
-    middle = toRational h + toRational g
 
 -- | The sum and what is lost by it, exactly.
 twoSum :: Double -> Double -> (Double, Double)

@@ -27,7 +27,6 @@ module Visibility.Scene.Outline
   , backSideNumberOf
   , cornerNameOf
   , sideNameOf
-  , backSideOf
   ) where
 
 import Data.Int (Int32)
@@ -204,11 +203,3 @@ cornerNameOf o i = CornerName (outlineIds o V.! p) (i - outlineFirst o U.! p)
 -- | The side that starts at a corner; of a thin wall, the face on the right of the way from there.
 sideNameOf :: Outline -> Int -> SideName
 sideNameOf o i = let CornerName p k = cornerNameOf o i in SideName p k
-
--- | The face of a thin wall on the left of the way from a corner.
-backSideOf :: Outline -> Int -> SideName
-backSideOf o i = SideName p (2 * n - 3 - k)
-  where
-    CornerName p k = cornerNameOf o i
-    owner = ownerOf o i
-    n = outlineFirst o U.! (owner + 1) - outlineFirst o U.! owner

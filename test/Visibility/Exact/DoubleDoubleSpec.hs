@@ -135,3 +135,19 @@ cancelling = do
   where
     inRange = max (-limit) . min limit
     limit = 2 ^ (31 :: Int) - 1
+
+-- | What is known of a sum: a lower and an upper bound.
+sumEnclosure :: Sum2 -> (Rational, Rational)
+sumEnclosure total@(Sum2 a b _ _) = (middle - slack, middle + slack)
+  where
+    middle = toRational a + toRational b
+    slack = toRational (sumBound total)
+
+-- | What is known of a sum divided by twice a length, if the sum is surely positive.
+quotientEnclosure :: Sum2 -> Double2 -> Maybe (Rational, Rational)
+quotientEnclosure total by
+  | surely = Just (middle - toRational slack, middle + toRational slack)
+  | otherwise = Nothing
+  where
+    Quotient2 surely h g slack = halfQuotient total by
+    middle = toRational h + toRational g

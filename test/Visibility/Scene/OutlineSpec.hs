@@ -1,6 +1,7 @@
 module Visibility.Scene.OutlineSpec (spec) where
 
 import Data.List (nub, sort)
+import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (prop)
@@ -37,13 +38,21 @@ spec = do
           ]
     prop "has a segment for each side of a ring, and for each two faces of a wall" $
       forAllOutlines $ \shapes o ->
-        [(map (sideNameOf o) starts, map (backSideOf o) starts) | p <- polygonIndices o, let starts = segmentStarts o p]
-          === [ case formOf shape of
-                  Ring -> (names p [0 .. n - 1], names p [2 * n - 3 - k | k <- [0 .. n - 1]])
-                  Polyline -> (names p [0 .. n - 2], names p [2 * n - 3, 2 * n - 4 .. n - 1])
-              | shape@(p, polygon) <- shapes
-              , let n = length (rawCorners polygon)
-              ]
+        let firsts = sideFirsts o
+            fromFirst p = map (subtract (firsts U.! p))
+         in [ ( map (sideNameOf o) starts
+              , fromFirst p (map (sideNumberOf o firsts) starts)
+              , [k | Polyline <- [outlineForms o V.! p], k <- fromFirst p (map (backSideNumberOf o firsts) starts)]
+              )
+            | p <- polygonIndices o
+            , let starts = segmentStarts o p
+            ]
+              === [ case formOf shape of
+                      Ring -> (names p [0 .. n - 1], [0 .. n - 1], [])
+                      Polyline -> (names p [0 .. n - 2], [0 .. n - 2], [2 * n - 3, 2 * n - 4 .. n - 1])
+                  | shape@(p, polygon) <- shapes
+                  , let n = length (rawCorners polygon)
+                  ]
     prop "joins each corner to the ends of the segments there" $
       forAllOutlines $ \_ o ->
         conjoin

@@ -12,7 +12,7 @@ import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Estimate.Matrix
-import Visibility.Exact.DoubleDouble
+import Visibility.Exact.DoubleDouble hiding (halfQuotient)
 import Visibility.Exact.Point (Point (..), Vector2 (..), Way (..), latticeScale)
 import Visibility.FormFactor.Exact (byName)
 import Visibility.FormFactor.Terms
