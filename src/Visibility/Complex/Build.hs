@@ -60,7 +60,7 @@ build scene vertices = runST $ do
         mapM_ (record records cut) line
         sweep cut (size + length line) rest
   cut <- openCut scene keeper
-  quarters <- quarterTable <$> freeze cut
+  quarters <- quarterTable cut
   atStart <- (`quot` faceWidth) <$> filled faces
   sweep cut 0 vertices
   size <- (`quot` recordWidth) <$> filled records
@@ -78,7 +78,7 @@ faceWidth :: Int
 faceWidth = 4
 
 -- | Collects the stretch of a corner that begins with an outlook.
-record :: Growing s -> Cut (M.MVector s Int32) -> (Int, Outlook) -> ST s ()
+record :: Growing s -> Cut s -> (Int, Outlook) -> ST s ()
 record records cut (c, Outlook b f up) = do
   (q0, q1, q2, q3) <- quartersNow cut c
   i <- reserve records recordWidth

@@ -11,10 +11,6 @@ module Visibility.Sweep.Cut
     -- * What a cut says
   , quartersNow
   , quarterTable
-    -- * Between pieces of work
-  , Frozen
-  , freeze
-  , thaw
   ) where
 
 import Control.Monad (forM_, when)
@@ -46,33 +42,13 @@ import Visibility.Sweep.Vertical (skyCode)
 
 -- | What is seen from the corners, the faces on the quarters around them, and three tables by object that are empty
 -- between vertices: faces above the vertex at hand, faces below it, and quarters whose face is not known yet.
-data Cut v = Cut
-  { cutSights :: !(Sights v)
-  , cutQuarters :: !v
-  , facesAbove :: !v
-  , facesBelow :: !v
-  , unsettled :: !v
+data Cut s = Cut
+  { cutSights :: !(Changing s)
+  , cutQuarters :: !(M.MVector s Int32)
+  , facesAbove :: !(M.MVector s Int32)
+  , facesBelow :: !(M.MVector s Int32)
+  , unsettled :: !(M.MVector s Int32)
   }
-
-instance Functor Cut where
-  fmap f (Cut a b c d e) = Cut (fmap f a) (f b) (f c) (f d) (f e)
-
-instance Foldable Cut where
-  foldMap f (Cut a b c d e) = foldMap f a <> f b <> f c <> f d <> f e
-
-instance Traversable Cut where
-  traverse f (Cut a b c d e) = Cut <$> traverse f a <*> f b <*> f c <*> f d <*> f e
-
--- | A cut that does not change.
-type Frozen = Cut (U.Vector Int32)
-
--- | /Cost/ O(n).
-freeze :: Cut (M.MVector s Int32) -> ST s Frozen
-freeze = traverse U.freeze
-
--- | /Cost/ O(n).
-thaw :: Frozen -> ST s (Cut (M.MVector s Int32))
-thaw = traverse U.thaw
 
 -- | What is to be done when a face is opened, with the objects at its back and front, and when it is closed. An open
 -- face has a number of the keeper's choice, at least 0.
@@ -84,7 +60,7 @@ data FaceKeeper s = FaceKeeper
 -- | The cut just above −90°. Under the sky the lines that miss everything are opened first.
 --
 -- /Cost/ O(n log n).
-openCut :: Scene -> FaceKeeper s -> ST s (Cut (M.MVector s Int32))
+openCut :: Scene -> FaceKeeper s -> ST s (Cut s)
 openCut scene keeper = do
   sights <- traverse U.thaw (startSights scene)
   let n = cornerCount scene
@@ -105,7 +81,7 @@ openCut scene keeper = do
 --
 -- /Requires/ vertices in an order in which each corner's vertices come by increasing direction.
 -- /Cost/ O(1) per incidence of the vertex with a face.
-cross :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Vertex -> ST s [(Int, Outlook)]
+cross :: Scene -> FaceKeeper s -> Cut s -> Vertex -> ST s [(Int, Outlook)]
 cross scene keeper cut vertex = passing scene (cutSights cut) vertex $ \passed -> do
   foldr (\(Passage c before _) above -> above >> leave scene keeper cut c before) (pure ()) passed
   let after = [(c, outlook) | Passage c _ outlook <- passed]
@@ -115,15 +91,15 @@ cross scene keeper cut vertex = passing scene (cutSights cut) vertex $ \passed -
 
 -- | The faces on the quarters of a corner, −1 in the solid: above at the back, above in front, below at the back,
 -- below in front.
-quartersNow :: Cut (M.MVector s Int32) -> Int -> ST s (Int, Int, Int, Int)
+quartersNow :: Cut s -> Int -> ST s (Int, Int, Int, Int)
 quartersNow cut c = (,,,) <$> quarter 0 <*> quarter 1 <*> quarter 2 <*> quarter 3
   where
     quarter k = fromIntegral <$> M.unsafeRead (cutQuarters cut) (4 * c + k)
 {-# INLINE quartersNow #-}
 
--- | The faces on the quarters of all corners, four each, as in 'quartersNow'.
-quarterTable :: Cut v -> v
-quarterTable = cutQuarters
+-- | The faces on the quarters of all corners now, four each, as in 'quartersNow'. /Cost/ O(n).
+quarterTable :: Cut s -> ST s (U.Vector Int32)
+quarterTable = U.freeze . cutQuarters
 
 -- | Where a face lies at a corner: twice the number of its first quarter, and 1 more if it lies on both of a flank.
 type Place = Int32
@@ -145,7 +121,7 @@ firstQuarter place = fromIntegral place `shiftR` 1
 
 -- | Takes a corner of a vertex out of the faces around it, after those above it: closes those that end here, and leaves
 -- those that go on in 'facesAbove' and 'facesBelow'.
-leave :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> Int -> Outlook -> ST s ()
+leave :: Scene -> FaceKeeper s -> Cut s -> Int -> Outlook -> ST s ()
 leave scene keeper cut c before = do
   foldFaces scene (\flank part b _ rest -> from flank (placeOf c flank part) b >> rest) (pure ()) c before
   forM_ [4 * c .. 4 * c + 3] $ \q -> M.unsafeWrite (cutQuarters cut) q (-1)
@@ -163,7 +139,7 @@ leave scene keeper cut c before = do
 
 -- | Finds the faces around the corners of a vertex, from top to bottom, just after it: opens those that begin here, and
 -- takes all others from 'facesAbove' and 'facesBelow'.
-settle :: Scene -> FaceKeeper s -> Cut (M.MVector s Int32) -> [(Int, Outlook)] -> ST s ()
+settle :: Scene -> FaceKeeper s -> Cut s -> [(Int, Outlook)] -> ST s ()
 settle scene keeper cut line = around found >> around remaining
   where
     around act = forM_ line $ \(c, after) ->

@@ -1,4 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DeriveTraversable #-}
 {-# LANGUAGE RankNTypes #-}
 
 -- | What every corner sees along the line through it while the direction turns: tables that a vertex changes in O(1)
@@ -32,15 +33,7 @@ import Visibility.Sweep.Vertical (Vertical (..), solid, verticalSweep)
 -- | By corner: the objects in front and at the back of it, and 1 where the following corner of its polygon lies above
 -- its line.
 data Sights v = Sights {frontOf :: !v, backOf :: !v, nextAbove :: !v}
-
-instance Functor Sights where
-  fmap f (Sights a b c) = Sights (f a) (f b) (f c)
-
-instance Foldable Sights where
-  foldMap f (Sights a b c) = f a <> f b <> f c
-
-instance Traversable Sights where
-  traverse f (Sights a b c) = Sights <$> f a <*> f b <*> f c
+  deriving (Functor, Foldable, Traversable)
 
 -- | Tables that are being changed.
 type Changing s = Sights (M.MVector s Int32)
