@@ -74,7 +74,7 @@ placed scene from = case from of
 
 looked :: Scene -> Looking -> [Vertex] -> Either String Sighting
 looked scene looking swept = case looking of
-  LookingFromSide side -> Right (SeenBySide side (maybe [] sideFactors (sees (sideIndex complex) side)))
+  LookingFromSide side -> Right (SeenBySide side (concat (sees complex side)))
   LookingFrom viewpoint normal -> case lookAround complex viewpoint of
     Left solid -> Left (inSolid solid)
     Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))

@@ -4,6 +4,7 @@ module Visibility.Sorting
     sortedBy
   , runs
   , denseRanks
+  , firstWhere
     -- * Buckets
   , Buckets
   , bucketsBy
@@ -49,6 +50,17 @@ runs part items = U.filter begins (U.enumFromN 0 (n + 1))
     n = U.length items
     begins i = i == 0 || i == n || part (items U.! (i - 1)) /= part (items U.! i)
 {-# INLINE runs #-}
+
+-- | The least number from the first on, below the second, from which on a predicate holds; the second if there is none.
+--
+-- /Requires/ that it holds from somewhere on. /Cost/ O(log) calls.
+firstWhere :: (Int -> Bool) -> Int -> Int -> Int
+firstWhere holds low high
+  | low >= high = high
+  | holds middle = firstWhere holds low middle
+  | otherwise = firstWhere holds (middle + 1) high
+  where
+    middle = low + (high - low) `quot` 2
 
 -- | Items by number in buckets by number: where those of each bucket begin and end, and all of them.
 data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)

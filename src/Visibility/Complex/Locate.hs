@@ -19,6 +19,7 @@ import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Scene.Raw (Form (..))
+import Visibility.Sorting (firstWhere)
 import Visibility.View (Flank (..))
 
 -- | A point on the lattice, in homogeneous integers of its own, and the number of corners before it in lexicographic
@@ -36,13 +37,7 @@ eyeAt scene point = (eye rank, here)
     place = ontoLattice (sceneLattice scene) point
     eye = Eye place
     n = cornerCount scene
-    rank = search 0 n
-    search low high
-      | low >= high = low
-      | comparison middle == LT = search (middle + 1) high
-      | otherwise = search low middle
-      where
-        middle = (low + high) `quot` 2
+    rank = firstWhere ((/= LT) . comparison) 0 n
     -- Of a corner to the point.
     comparison k = comparePlaces (cornerAt scene (CornerId k)) place
     here = map CornerId (takeWhile (\k -> comparison k == EQ) [rank .. n - 1])

@@ -20,6 +20,7 @@ import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Scene.Cone
 import Visibility.Sight
+import Visibility.Sorting (firstWhere)
 import Visibility.View (End (..), Flank (..), View (..))
 
 -- | What is seen from somewhere.
@@ -198,17 +199,6 @@ boundary complex face@(FaceId f) reading flank = case (reading, flank) of
     lastIn from to = if to > from then Just (to - 1) else Nothing
     isOuter = isNothing (faceFirst complex face)
     orNone found allowed = if allowed then found else Nothing
-
--- | The least number from the first on, below the second, from which on a predicate holds; the second if there is none.
---
--- /Requires/ that it holds from somewhere on. /Cost/ O(log) calls.
-firstWhere :: (Int -> Bool) -> Int -> Int -> Int
-firstWhere holds low high
-  | low >= high = high
-  | holds middle = firstWhere holds low middle
-  | otherwise = firstWhere holds (middle + 1) high
-  where
-    middle = low + (high - low) `quot` 2
 
 -- | Where the curve of a point goes on after a vertex that the point is in line with.
 --

@@ -17,16 +17,14 @@ module Visibility.Scene.Contact
   , isBelow
   ) where
 
-import Control.Monad (forM_, when)
 import Data.Int (Int32)
 import qualified Data.Vector as V
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
-import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes (Box (..))
-import Visibility.Sorting (denseRanks, pairOf, parts)
+import Visibility.Sorting (denseRanks)
 
 -- | Corners by index, with the ranks of their coordinates: a comparison of ranks is a comparison of coordinates.
 data Ranked = Ranked
@@ -65,25 +63,9 @@ samePlace r a b = column r a == column r b && row r a == row r b
 --
 -- /Cost/ O(n log n) comparisons of machine integers.
 lexicographic :: Ranked -> U.Vector Int32
-lexicographic r = U.map (fromIntegral . snd . parts) $ U.create $ do
-  keys <- U.thaw (U.generate n (\i -> pairOf (column r i) i))
-  Intro.sortBy compare keys
-  let -- Those of one column, from a place on.
-      columns from
-        | from >= n = pure ()
-        | otherwise = do
-            to <- M.read keys from >>= \key -> endOf (fst (parts key)) (from + 1)
-            when (to - from > 1) $ do
-              forM_ [from .. to - 1] $ \k -> M.modify keys (\key -> let i = snd (parts key) in pairOf (row r i) i) k
-              Intro.sortByBounds compare keys from to
-            columns to
-      endOf x k
-        | k >= n = pure k
-        | otherwise = M.read keys k >>= \key -> if fst (parts key) == x then endOf x (k + 1) else pure k
-  columns 0
-  pure keys
+lexicographic r = U.map fromIntegral (U.modify (Intro.sortBy order) (U.enumFromN 0 (rankedTotal r)))
   where
-    n = rankedTotal r
+    order i j = compare (column r i) (column r j) <> compare (row r i) (row r j) <> compare i j
 
 -- | A closed segment between two corners, which may be in one place.
 data Segment = Segment !Int !Int

@@ -275,15 +275,9 @@ namesHere scene (CornerId c) =
 cornersNamed :: Scene -> CornerName -> Maybe [CornerId]
 cornersNamed scene name = cornersIn <$> statedNumber (sceneStated scene) name
   where
-    cornersIn i = map CornerId (takeWhile (\c -> places U.! c == place) [firstFrom 0 n .. n - 1])
+    cornersIn i = map CornerId (takeWhile ((== place) . (places U.!)) [firstWhere ((>= place) . (places U.!)) 0 n .. n - 1])
       where
         place = statedPlaceNumbers scene U.! i
-        firstFrom low high
-          | low >= high = low
-          | places U.! middle < place = firstFrom (middle + 1) high
-          | otherwise = firstFrom low middle
-          where
-            middle = (low + high) `quot` 2
     places = placeNumbers scene
     n = cornerCount scene
 

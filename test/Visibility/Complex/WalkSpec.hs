@@ -1,7 +1,7 @@
 module Visibility.Complex.WalkSpec (spec) where
 
 import Data.List (sort)
-import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
@@ -77,43 +77,23 @@ spec = do
       it "are the form factors that are added up along the sweep, exactly" $
         property $ \(AnyScene s) ->
           let scene = sampleScene s
-              index = sideIndex (complexOf scene)
               streamed = formFactors scene (measures scene (vertices scene))
-              found = concat [sideFactors look | Just look <- map (sees index) (statedSides scene)]
+              found = concat (mapMaybe (sees (complexOf scene)) (statedSides scene))
            in sort (map entry found) === sort (map entry streamed)
     it "is in order, the sky last, and adds up to the part of the side that is not covered" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-            index = sideIndex (complexOf scene)
+            complex = complexOf scene
          in conjoin
               [ map factorTo seen === sort (map factorTo seen)
                   .&&. mconcat (map factorValue seen) === RootSum.rational (uncovered scene side)
               | side <- statedSides scene
-              , Just look <- [sees index side]
-              , let seen = sideFactors look
+              , Just seen <- [sees complex side]
               ]
-    it "visits the faces of the side, or of all its pieces, and no others" $
-      property $ \(AnyScene s) ->
-        let scene = sampleScene s
-            complex = complexOf scene
-            index = sideIndex complex
-            byScan = Map.fromListWith (<>) [(o, [f]) | f <- reverse (faceIds complex), o <- ends complex f]
-         in conjoin
-              ( [ facesOf index o === Map.findWithDefault [] o byScan
-                | o <- Sky : map Side (sides scene)
-                ]
-                  <> [ fmap sideFaces (sees index side)
-                         === Just (sum [length (facesOf index (Side piece)) | piece <- concat (piecesOf scene side)])
-                     | side <- statedSides scene
-                     ]
-              )
   where
     filled = sample (RawScene Nothing (Just unit) [unit])
     unit = rawPolygon [Point 0 0, Point 1 0, Point 1 1, Point 0 1]
     entry f = (factorFrom f, factorTo f, factorMeasure f, factorValue f)
-    ends complex f
-      | faceBack complex f == faceFront complex f = [faceBack complex f]
-      | otherwise = [faceBack complex f, faceFront complex f]
 
 seesLikeScan :: Scene -> Property
 seesLikeScan scene = forAll (vectorOf 5 (somePoint scene)) $ \eyes -> conjoin (map (sameFrom complex) eyes)
