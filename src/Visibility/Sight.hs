@@ -187,14 +187,14 @@ elementFactors scene normal sights =
     weight (Sight from to _) = RootSum.scaled (1 % 2) (swept from to)
     -- Angles are taken from the rightmost direction on; what is behind the element counts as its leftmost direction.
     swept from to
-      | wraps = (one `RootSum.minus` sineAt from) `RootSum.plus` (sineAtEnd to `RootSum.plus` one)
-      | otherwise = sineAtEnd to `RootSum.minus` sineAt from
+      | wraps = (one - sineAt from) + (sineAtEnd to + one)
+      | otherwise = sineAtEnd to - sineAt from
       where
         wraps = not (to `along` rightmost) && compareFrom rightmost from to /= LT
     one = RootSum.rational 1
     sineAtEnd d = if d `along` rightmost then one else sineAt d
     sineAt d
-      | d `along` rightmost = RootSum.negated one
+      | d `along` rightmost = negate one
       | ahead <= 0 = one
       | otherwise = RootSum.hypotenuse (aside % (ahead * ahead + aside * aside)) ahead aside
       where

@@ -60,7 +60,7 @@ spec = do
               sums = measuresIn scene
               byName =
                 Map.fromListWith
-                  plus
+                  (+)
                   [(inOrder (both (seenAs scene) pair), area) | (pair, area) <- measureList scene sums]
            in Map.fromList [(inOrder pair, merged area) | (pair, area) <- statedMeasures scene sums]
                 === fmap merged byName
@@ -72,7 +72,7 @@ spec = do
     it "of a side add up to the part of it that is not covered, exactly" $
       property $ \(AnyScene s) ->
         let scene = sampleScene s
-            rows = Map.fromListWith plus [(a, f) | ((a, _), f) <- Map.toList (factorsOf scene)]
+            rows = Map.fromListWith (+) [(a, f) | ((a, _), f) <- Map.toList (factorsOf scene)]
          in fmap asRational rows
               === Map.fromList [(a, Just part) | a <- statedSides scene, let part = uncovered scene a, part > 0]
     it "are reciprocal, exactly" $
@@ -159,7 +159,7 @@ spec = do
               let old = renamedFactors (splitSides split) (measuresOf (sampleScene s))
                   (first, second) = splitParts split
                   whole name = if name == second then first else name
-                  new = Map.mapKeysWith plus (bimap whole (fmap whole)) (measuresOf scene)
+                  new = Map.mapKeysWith (+) (bimap whole (fmap whole)) (measuresOf scene)
                in new === old
   describe "the shared vectors" $ do
     folders <- runIO (sort <$> listDirectory vectorFolder)
@@ -186,9 +186,9 @@ spec = do
               [ key
                 | (key, q) <- Map.toList expected
                 , Just f <- [Map.lookup key got]
-                , let gap = f `minus` rational q
+                , let gap = f - rational q
                 , let bound = rational (abs q / 10 ^ (28 :: Int))
-                , gap > bound || negated gap > bound
+                , gap > bound || negate gap > bound
                 ]
                 `shouldBe` []
   where

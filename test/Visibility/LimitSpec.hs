@@ -106,7 +106,7 @@ nearLimit limit common epsilon = case sample (shrunk epsilon (sampleRaw limit)) 
             .&&. conjoin
               [ counterexample (show (key, gap)) (magnitude gap <= RootSum.rational (bound key * epsilon))
               | key <- keys
-              , let gap = (valueIn apart key `RootSum.minus` valueIn touching key) `RootSum.minus` partOf key
+              , let gap = (valueIn apart key - valueIn touching key) - partOf key
               ]
   where
     obstacles = rawPolygons (sampleRaw limit)
@@ -126,7 +126,7 @@ nearLimit limit common epsilon = case sample (shrunk epsilon (sampleRaw limit)) 
 
 magnitude :: RootSum -> RootSum
 magnitude x = case RootSum.sign x of
-  RootSum.Negative -> RootSum.negated x
+  RootSum.Negative -> negate x
   _ -> x
 
 -- | The parts of sides that other sides cover, by both: along both sides there is some of the same line.

@@ -131,9 +131,9 @@ spec = do
               }
           raw = RawScene Nothing Nothing [square 0 1 1 (1 / 2), square 2 3 0 (2 / 3)]
           -- F = √2 − 1, F² = 3 − 2√2; B = 1 / (1 − F²/3) and 2/3 F B.
-          loss = rational (1 - 3 / 3) `plus` twice (2 / 3)
+          loss = rational (1 - 3 / 3) + twice (2 / 3)
           twice q = fromMaybe zero (root q 2)
-          forth = twice (2 / 3) `minus` rational (2 / 3)
+          forth = twice (2 / 3) - rational (2 / 3)
       forM_ [close 12, ToDigits (count 50)] $ \closeness ->
         case fmap (solution closeness . sampleScene) (sample raw) of
           Just (Right found) -> do

@@ -81,7 +81,7 @@ spec = do
   describe "the form factors of an element" $ do
     let wall = under [[(-1, 1), (1, 1)]]
         near = [(TheSide (SideName (Obstacle 0) 0), RootSum.hypotenuse (1 % 2) 1 1)]
-        rest = RootSum.rational 1 `RootSum.minus` RootSum.hypotenuse (1 % 2) 1 1
+        rest = RootSum.rational 1 - RootSum.hypotenuse (1 % 2) 1 1
     it "are differences of sines" $ do
       factorsFrom wall (Point 0 0) (Direction 0 1) `shouldBe` near <> [(TheSky, rest)]
       factorsFrom wall (Point 0 0) (Direction 0 7) `shouldBe` near <> [(TheSky, rest)]
@@ -89,7 +89,7 @@ spec = do
       factorsFrom wall (Point 0 0) (Direction 0 (-1)) `shouldBe` [(TheSky, RootSum.rational 1)]
       factorsFrom wall (Point 0 0) (Direction 1 0)
         `shouldBe` [ (TheSide (SideName (Obstacle 0) 0), RootSum.scaled (1 % 2) rest)
-                   , (TheSky, RootSum.rational 1 `RootSum.minus` RootSum.scaled (1 % 2) rest)
+                   , (TheSky, RootSum.rational 1 - RootSum.scaled (1 % 2) rest)
                    ]
     modifyMaxSuccess (* 5) $ do
       it "add up to 1, less what the solid takes" $

@@ -17,16 +17,12 @@ module Visibility.Exact.RootSum
   , fromTerms
   , terms
     -- * Arithmetic
-  , plus
   , totalsBy
-  , minus
-  , negated
   , scaled
   , quotientByRoot
     -- * Decisions
   , Sign (..)
   , sign
-  , compareRootSums
   , merged
   , mergedSum
   , asRational
@@ -63,16 +59,21 @@ instance Show RootSum where
   showsPrec d s = showParen (d > 10) (showString "fromTerms " . showsPrec 11 (terms s))
 
 instance Eq RootSum where
-  a == b = compareRootSums a b == EQ
+  a == b = compare a b == EQ
 
 instance Ord RootSum where
-  compare = compareRootSums
+  compare a b = compare (sign (a - b)) Zero
 
+-- | /Cost/ O(a + b) for the sum of sums of a and b terms; many are best added by 'mconcat'.
 instance Num RootSum where
-  (+) = plus
-  (-) = minus
+  End + b = b
+  a + End = a
+  a@(Term n c a') + b@(Term m d b') = case compare n m of
+    LT -> Term n c (a' + b)
+    EQ -> term n (c + d) (a' + b')
+    GT -> Term m d (a + b')
   a * b = mconcat [rootTimes r n a | (r, n) <- terms b]
-  negate = negated
+  negate = mapped negate
   abs s = s * signum s
   signum s = case sign s of
     Negative -> -1
@@ -110,7 +111,7 @@ coprime (g : others) n
     common = gcd g n
 
 instance Semigroup RootSum where
-  (<>) = plus
+  (<>) = (+)
 
 instance Monoid RootSum where
   mempty = zero
@@ -119,7 +120,7 @@ instance Monoid RootSum where
   mconcat [s] = s
   mconcat sums = mconcat (pairs sums)
     where
-      pairs (a : b : rest) = plus a b : pairs rest
+      pairs (a : b : rest) = a + b : pairs rest
       pairs rest = rest
 
 -- | The empty sum.
@@ -176,30 +177,11 @@ positiveRoot c n = term n c zero
 term :: Integer -> Rational -> RootSum -> RootSum
 term n c rest = if c == 0 then rest else Term n c rest
 
--- | The sum of two sums.
---
--- /Cost/ O(a + b) for sums of a and b terms; many are best added by 'mconcat'.
-plus :: RootSum -> RootSum -> RootSum
-plus End b = b
-plus a End = a
-plus a@(Term n c a') b@(Term m d b') = case compare n m of
-  LT -> Term n c (plus a' b)
-  EQ -> term n (c + d) (plus a' b')
-  GT -> Term m d (plus a b')
-
 -- | The total of all sums with each key.
 --
 -- /Cost/ for k sums of t terms in all, O(k log k + t log t).
 totalsBy :: Ord k => [(k, RootSum)] -> Map k RootSum
 totalsBy found = Map.map mconcat (Map.fromListWith (<>) [(key, [s]) | (key, s) <- found])
-
--- | The difference of two sums.
-minus :: RootSum -> RootSum -> RootSum
-minus a b = a `plus` negated b
-
--- | The opposite sum.
-negated :: RootSum -> RootSum
-negated = mapped negate
 
 -- | A rational multiple of a sum.
 scaled :: Rational -> RootSum -> RootSum
@@ -264,7 +246,7 @@ data Sign = Negative | Zero | Positive
 --
 -- /Cost/ one integer square root per term in all but the hardest cases; a sum that is zero costs what 'merged' costs.
 --
--- /Laws/ @sign (negated s)@ is opposite; a positive factor keeps it; 'Zero' exactly if the real number is zero.
+-- /Laws/ @sign (negate s)@ is opposite; a positive factor keeps it; 'Zero' exactly if the real number is zero.
 --
 -- /Example/ √10 + √11 − √5 − √18 is positive, about 2·10⁻⁴; √18 + √2 − √32 is zero.
 sign :: RootSum -> Sign
@@ -283,12 +265,6 @@ shown bits s
   where
     coefficients = map fst (terms s)
     (low, high) = units (relativeScale bits s) s
-
--- | The order of two sums as real numbers, decided exactly.
---
--- /Laws/ @compareRootSums a b@ is the order of @sign (a \`minus\` b)@ and 'Zero'.
-compareRootSums :: RootSum -> RootSum -> Ordering
-compareRootSums a b = compare (sign (a `minus` b)) Zero
 
 -- | The same number, with one term per square class.
 --

@@ -155,7 +155,7 @@ sideLength scene s = RootSum.hypotenuse (1 % (latticeScale (sceneLattice scene) 
 -- covers. Each is exactly zero.
 closureDefect :: Scene -> Measures -> [(SideName, RootSum)]
 closureDefect scene sums =
-  [ (s, Map.findWithDefault RootSum.zero s rows `RootSum.minus` expected)
+  [ (s, Map.findWithDefault RootSum.zero s rows - expected)
   | s <- statedSides scene
   , let expected = RootSum.scaled (2 * uncovered scene s) (sideLength scene s)
   ]

@@ -180,12 +180,12 @@ spec = do
           text n (rational q <> hiddenZero) `shouldBe` expected
     it "leaves a tie for the least irrational excess" $ do
       text 2 (rational (1 % 8) <> speck) `shouldBe` "0.13"
-      text 2 (rational (1 % 8) `minus` speck) `shouldBe` "0.12"
+      text 2 (rational (1 % 8) - speck) `shouldBe` "0.12"
       text 2 (rational (3 % 8) <> speck) `shouldBe` "0.38"
-      text 2 (rational (3 % 8) `minus` speck) `shouldBe` "0.37"
-      text 2 (negated (rational (3 % 8)) <> speck) `shouldBe` "-0.37"
-      text 30 (rational 1 `minus` speck) `shouldBe` "1." ++ replicate 29 '0'
-      text 41 (rational 1 `minus` speck) `shouldBe` "0.9999999999999999999999999999999999999999" ++ "5"
+      text 2 (rational (3 % 8) - speck) `shouldBe` "0.37"
+      text 2 (negate (rational (3 % 8)) <> speck) `shouldBe` "-0.37"
+      text 30 (rational 1 - speck) `shouldBe` "1." ++ replicate 29 '0'
+      text 41 (rational 1 - speck) `shouldBe` "0.9999999999999999999999999999999999999999" ++ "5"
     it "carries" $
       forM_
         [ (2, 9951 % 1000, "10")
@@ -239,7 +239,7 @@ spec = do
            in counterexample shown (wellFormed n shown .&&. isNearestToRoot (abs m) (q * q / 100 ^^ e))
     it "is odd" $
       property $ forAll ((,) <$> choose (1, 20) <*> vectorOf 3 term) $ \(n, ts) ->
-        let (shown, other) = (text n (summed ts), text n (negated (summed ts)))
+        let (shown, other) = (text n (summed ts), text n (negate (summed ts)))
          in case shown of
               "0" -> other === "0"
               '-' : rest -> other === rest
@@ -286,21 +286,21 @@ spec = do
               (nearestDouble (rational middle) === chosen)
                 .&&. (nearestDouble (rational middle <> hiddenZero) === chosen)
                 .&&. (nearestDouble (rational middle <> scaled (2 ^^ (-1200 :: Int)) speck) === next)
-                .&&. (nearestDouble (rational middle `minus` scaled (2 ^^ (-1200 :: Int)) speck) === abs d)
+                .&&. (nearestDouble (rational middle - scaled (2 ^^ (-1200 :: Int)) speck) === abs d)
     it "agrees with the correctly rounded root of the machine" $
       property $ forAll (choose (1, 2 ^ (53 :: Int))) $ \n -> nearestDouble (summed [(1, n)]) === sqrt (fromInteger n)
     it "becomes infinite from 2^1024 - 2^970 on" $ do
       let edge = rational (2 ^ (1024 :: Int) - 2 ^ (970 :: Int))
           largest = castWord64ToDouble 0x7fefffffffffffff
       nearestDouble edge `shouldBe` 1 / 0
-      nearestDouble (negated edge) `shouldBe` -1 / 0
-      nearestDouble (edge `minus` speck) `shouldBe` largest
+      nearestDouble (negate edge) `shouldBe` -1 / 0
+      nearestDouble (edge - speck) `shouldBe` largest
       nearestDouble (rational (10 ^ (5000 :: Int))) `shouldBe` 1 / 0
     it "becomes zero at half the least positive Double" $ do
       let half = rational (2 ^^ (-1075 :: Int))
           least = castWord64ToDouble 1
       nearestDouble half `shouldBe` 0
-      isNegativeZero (nearestDouble (negated half)) `shouldBe` True
+      isNegativeZero (nearestDouble (negate half)) `shouldBe` True
       nearestDouble (half <> scaled (10 ^^ (-5000 :: Int)) speck) `shouldBe` least
       nearestDouble (scaled 3 half) `shouldBe` 2 * least
       isNegativeZero (nearestDouble hiddenZero) `shouldBe` False

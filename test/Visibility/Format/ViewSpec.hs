@@ -72,7 +72,7 @@ spec = do
   describe "elementDocument" $ do
     -- In the middle of side 0.1, half a unit from either end of the wall in height.
     let factors = [(TheSky, rest), (TheSide wall, root), (TheSide square, RootSum.zero)]
-        rest = RootSum.rational 1 `RootSum.minus` root
+        rest = RootSum.rational 1 - root
         root = RootSum.hypotenuse (1 / 5) 1 2
         wall = SideName (Obstacle 1) 1
         square = SideName (Obstacle 0) 1

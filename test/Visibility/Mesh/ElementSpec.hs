@@ -196,14 +196,14 @@ factorsOf cut =
 reaching :: Refined -> Map.Map ((SideName, Int), Seen) RootSum
 reaching cut =
   Map.fromListWith
-    RootSum.plus
+    (+)
     [(((elementSide e, elementNumber e), to), factorValue f) | (e, to, f) <- factorsOf cut]
 
 -- | From all the elements of a side together to all those of another one: Σ |s_k| F(s_k, t).
 leaving :: Refined -> Map.Map (SideName, Seen) RootSum
 leaving cut =
   Map.fromListWith
-    RootSum.plus
+    (+)
     [((elementSide e, to), byLength (refinedScene cut) f) | (e, to, f) <- factorsOf cut]
 
 -- | |s| F(s, t); the length of a side is one root.
@@ -218,7 +218,7 @@ lawful cut =
   conjoin
     [ counterexample "closure" $ [s | (s, defect) <- closureDefect fine sums, defect /= RootSum.zero] === []
     , counterexample "rows" $
-        Map.fromListWith RootSum.plus [(factorFrom f, factorValue f) | f <- factors]
+        Map.fromListWith (+) [(factorFrom f, factorValue f) | f <- factors]
           === Map.fromList [(s, RootSum.rational 1) | s <- statedSides fine]
     , counterexample "reciprocity" $
         conjoin

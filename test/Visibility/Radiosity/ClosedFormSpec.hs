@@ -104,7 +104,7 @@ spec = do
         onLit [Material 3 r, Material 0 r'] [[Point 0 0, Point w 0], [Point 0 h, Point w h]] $ \scene ->
           let near = opposite (w / 2) h
               -- Two halves see a half each: 2 (w/2) (near + far) = w F.
-              far = opposite w h `minus` near
+              far = opposite w h - near
               -- The second face of a wall begins where its first one ends.
               lower = ["0.1#1", "0.1#0"]
               upper = ["1.0#0", "1.0#1"]
@@ -140,27 +140,27 @@ spec = do
 
 -- | C-1: width, distance.
 opposite :: Rational -> Rational -> RootSum
-opposite w h = rootOf (1 + (h / w) ^ (2 :: Int)) `minus` rational (h / w)
+opposite w h = rootOf (1 + (h / w) ^ (2 :: Int)) - rational (h / w)
 
 -- | C-2: width of the plate, of the other one, distance.
 midlines :: Rational -> Rational -> Rational -> RootSum
-midlines a b h = scaled (1 / (2 * x)) (rootOf ((x + y) ^ (2 :: Int) + 4) `minus` rootOf ((y - x) ^ (2 :: Int) + 4))
+midlines a b h = scaled (1 / (2 * x)) (rootOf ((x + y) ^ (2 :: Int) + 4) - rootOf ((y - x) ^ (2 :: Int) + 4))
   where
     (x, y) = (a / h, b / h)
 
 -- | C-3: width of the plate, of the other one.
 corner :: Rational -> Rational -> RootSum
-corner w h = scaled (1 / 2) (rational (1 + h / w) `minus` rootOf (1 + (h / w) ^ (2 :: Int)))
+corner w h = scaled (1 / 2) (rational (1 + h / w) - rootOf (1 + (h / w) ^ (2 :: Int)))
 
 -- | C-5: the tangent of half the angle, width of the plate, of the other one.
 wedge :: Rational -> Rational -> Rational -> RootSum
-wedge t w h = scaled (1 / 2) (rational (1 + x) `minus` rootOf (1 + x * x - 2 * x * cosine t))
+wedge t w h = scaled (1 / 2) (rational (1 + x) - rootOf (1 + x * x - 2 * x * cosine t))
   where
     x = h / w
 
 -- | 1 − sin(α/2), by the tangent of α/2.
 equalWedge :: Rational -> RootSum
-equalWedge t = rational 1 `minus` rootOf (t * t / (1 + t * t))
+equalWedge t = rational 1 - rootOf (t * t / (1 + t * t))
 
 cosine :: Rational -> Rational
 cosine t = (1 - t * t) / (1 + t * t)
@@ -183,7 +183,7 @@ strings (a, b) (c, d) = case terms (way a b) of
   [(q, n)] -> fromMaybe zero (quotientByRoot (scaled (1 / 2) crossed) q n)
   _ -> zero
   where
-    crossed = (way a d `plus` way b c) `minus` (way a c `plus` way b d)
+    crossed = (way a d + way b c) - (way a c + way b d)
     way (Point x y) (Point x' y') = rootOf ((x - x') * (x - x') + (y - y') * (y - y'))
 
 -- * The L-shaped room: (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2).
@@ -226,18 +226,18 @@ lShape = Map.fromList (concat [[((a, b), f), ((b, a), f)] | (a, b, f) <- half <>
     next = corner 1 1
     across = opposite 1 1
     -- 2 F = 2 (across + aside) for the whole strip, 2 wide and 1 high.
-    aside = opposite 2 1 `minus` across
+    aside = opposite 2 1 - across
     -- From a wall of 1 to a floor of 2, less the near half of that.
-    farther = corner 1 2 `minus` next
+    farther = corner 1 2 - next
     -- 2 F = next + 2 farther + ends for walls of 2; the strings of the far halves meet in the corner of the L.
-    ends = scaled 2 (corner 2 2) `minus` (next `plus` scaled 2 farther)
-    rest = rational 1 `minus` mconcat [next, across, farther, ends]
+    ends = scaled 2 (corner 2 2) - (next + scaled 2 farther)
+    rest = rational 1 - mconcat [next, across, farther, ends]
 
 -- | Form factors between sides: Σ |s_k| F(s_k, t_l) / |s|.
 lSides :: Map.Map (String, String) RootSum
 lSides =
   Map.fromListWith
-    plus
+    (+)
     [ ((side s, side t), scaled (1 / fromMaybe 1 (lookup (side s) lWidths)) f)
     | ((s, t), f) <- Map.toList lShape
     ]

@@ -62,7 +62,7 @@ truthOf scene factors =
     [ ((rank (factorFrom f), column (factorTo f)), (high, nearestDouble lacking))
     | f <- factors
     , let high = nearestDouble (factorValue f)
-    , let lacking = factorValue f `RootSum.minus` RootSum.rational (toRational high)
+    , let lacking = factorValue f - RootSum.rational (toRational high)
     ]
   where
     ranks = Map.fromList (zip (statedSides scene) [0 ..])

@@ -57,7 +57,7 @@ summedMeasures =
               <> show (RootSum.terms total)
               <> " by the sweep"
           | ((a, b), (own, total)) <- Map.toList both
-          , not (equal own total)
+          , own /= total
           ]
   where
     with b a = (a, b)
@@ -79,7 +79,7 @@ closedMeasures =
           , let Way (Vector2 x y) w = way (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
           , let twice = RootSum.hypotenuse (2 % (latticeScale (sceneLattice scene) * w)) x y
           , let total = Map.findWithDefault RootSum.zero s found
-          , not (equal total twice)
+          , total /= twice
           ]
 
 -- | The measures of all bounded faces, added up by what their two objects are counted for.
@@ -87,8 +87,3 @@ sumsBy :: Ord k => ((Object, Object) -> [k]) -> Complex -> Map.Map k RootSum
 sumsBy keys complex =
   RootSum.totalsBy
     [(key, area) | (f, area) <- boundaryMeasures complex, key <- keys (faceBack complex f, faceFront complex f)]
-
--- | Merged sums with the same terms are equal; others have to be compared.
-equal :: RootSum -> RootSum -> Bool
-equal a b =
-  RootSum.terms (RootSum.merged a) == RootSum.terms (RootSum.merged b) || RootSum.sign (RootSum.minus a b) == Zero

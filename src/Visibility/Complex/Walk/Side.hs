@@ -56,7 +56,7 @@ faceMeasure complex f = along (upperChain complex f) - along (lowerChain complex
     along (Chain early late) = mconcat (concatMap (gained id) early <> concatMap (gained reversed) late)
     gained turned e =
       [ position (edgeCorner complex e) (turned (passed (edgeTo complex e)))
-      , RootSum.negated (position (edgeCorner complex e) (turned (edgeFrom complex e)))
+      , negate (position (edgeCorner complex e) (turned (edgeFrom complex e)))
       ]
       where
         passed = if wrapsAround complex e then reversed else id
