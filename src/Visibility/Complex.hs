@@ -20,7 +20,8 @@ module Visibility.Complex
 
 import Visibility.Complex.Build
 import Visibility.Complex.Type (Complex, EdgeId, FaceId, VertexId)
-import Visibility.Complex.Type hiding (Complex (..), EdgeId (..), FaceId (..), VertexId (..), lastEdgeOf, vertexRow)
+import Visibility.Complex.Type hiding
+  (Complex (..), EdgeId (..), FaceId (..), VertexId (..), lastEdgeOf, quartersOf, vertexRow)
 import Visibility.Scene (Scene)
 import Visibility.Sweep (vertices)
 

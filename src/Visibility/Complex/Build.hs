@@ -67,7 +67,7 @@ build scene vertices = runST $ do
   end <- reserve starts 1
   startTable <- content starts
   M.write startTable end (fromIntegral size)
-  assembled scene <$> (Collected quarters atStart <$> frozen starts <*> frozen records <*> frozen faces)
+  assembled scene quarters atStart <$> frozen starts <*> frozen records <*> frozen faces
 
 -- | A stretch while it is collected: corner, back, front, flank, and four faces.
 recordWidth :: Int
@@ -86,26 +86,16 @@ record records cut (c, Outlook b f up) = do
   let put k x = M.unsafeWrite table (i + k) (fromIntegral (x :: Int))
   put 0 c >> put 1 b >> put 2 f >> put 3 up >> put 4 q0 >> put 5 q1 >> put 6 q2 >> put 7 q3
 
--- | What has been collected along the sweep.
-data Collected = Collected
-  { startQuarters :: !(U.Vector Int32)
-  -- ^ The faces around all corners at the start.
-  , startFaces :: !Int
-  -- ^ So many faces were there at the start: the first ones.
-  , collectedStarts :: !(U.Vector Int32)
-  , collectedStretches :: !(U.Vector Int32)
-  , collectedFaces :: !(U.Vector Int32)
-  }
-
--- | Puts the tables together: links the stretches of each corner, glues the end of the half turn to its start, and
+-- | Puts together what has been collected along the sweep: the faces around all corners at the start, and their number,
+-- since they are the first ones; then where the stretches of each vertex begin, the stretches, and the faces. Links the stretches of each corner, glues the end of the half turn to its start, and
 -- collects the chains.
 --
 -- A stretch cut by the start of the half turn has been collected once, as the last one of its corner. A face cut by
 -- it has two numbers: one from the start on, one up to the end. At the end every line is the one at the start read
 -- backwards, so quarter k of a corner then is its quarter 3 − k at the start. The lines under the sky that miss
 -- everything have the number 0 in both.
-assembled :: Scene -> Collected -> Complex
-assembled scene collected =
+assembled :: Scene -> U.Vector Int32 -> Int -> U.Vector Int32 -> U.Vector Int32 -> U.Vector Int32 -> Complex
+assembled scene startQuarters fromStart starts records faces =
   Complex
     { sweptScene = scene
     , vertexStarts = Table starts
@@ -129,9 +119,6 @@ assembled scene collected =
     , chains = Table chained
     }
   where
-    starts = collectedStarts collected
-    records = collectedStretches collected
-    faces = collectedFaces collected
     total = U.length records `quot` recordWidth
     column k = U.generate total (\i -> records `U.unsafeIndex` (recordWidth * i + k))
     stretchCorner = column 0
@@ -141,7 +128,6 @@ assembled scene collected =
 
     -- Faces under the sky that have no first vertex.
     outer = case surroundings scene of OpenSky -> 1; Room -> 0
-    fromStart = startFaces collected
     tabledFaces = U.length faces `quot` faceWidth - fromStart + outer
     faceColumn k f = faces U.! (faceWidth * f + k)
     -- From the number of a face in the tables to that while it was collected, and back: of faces that begin at a
@@ -157,7 +143,7 @@ assembled scene collected =
         U.// [ (fromIntegral f, continuing (quarters U.! (4 * fromIntegral (lasts U.! c) + 3 - k)))
              | c <- [0 .. cornerCount scene - 1]
              , k <- [0 .. 3]
-             , let f = startQuarters collected U.! (4 * c + k)
+             , let f = startQuarters U.! (4 * c + k)
              , f >= 0
              ]
     continuing f

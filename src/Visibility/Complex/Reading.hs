@@ -9,11 +9,9 @@ module Visibility.Complex.Reading
   , Readings
   , readings
   , readingAt
-  , quartersOf
   ) where
 
-import Data.Int (Int8)
-import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector as V
 import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.View (Flank (..))
@@ -40,28 +38,19 @@ chainIncidences complex = concatMap chainsOf (faceIds complex)
             <> incident Above Forwards lower
             <> incident Below Backwards lowerRest
 
--- | By stretch and quarter: how the face there reads the stretch, by its chains.
-newtype Readings = Readings (U.Vector Int8)
+-- | By stretch and quarter: how the face there reads the stretch, by its chains. 'Nothing' where there is no face, or,
+-- in broken tables, if the stretch is not in the chains of the face.
+type Readings = V.Vector (Maybe Reading)
 
 -- | /Cost/ O(incidences).
 readings :: Complex -> Readings
 readings complex =
-  Readings $
-    U.replicate (tableLength (stretchFaces complex)) 0
-      U.// [ (code (e, quarter), if reading == Forwards then 1 else 2)
-           | Incident f e flank reading <- chainIncidences complex
-           , quarter <- quartersOf flank
-           , faceAt complex e quarter == Just f
-           ]
+  V.replicate (tableLength (stretchFaces complex)) Nothing
+    V.// [ (code (e, quarter), Just reading)
+         | Incident f e flank reading <- chainIncidences complex
+         , quarter <- quartersOf flank
+         , faceAt complex e quarter == Just f
+         ]
 
--- | 'Nothing' where there is no face, or, in broken tables, if the stretch is not in the chains of the face.
 readingAt :: Readings -> EdgeId -> Quarter -> Maybe Reading
-readingAt (Readings table) e quarter = case table U.! code (e, quarter) of
-  1 -> Just Forwards
-  2 -> Just Backwards
-  _ -> Nothing
-
--- | The two quarters on a flank, from back to front.
-quartersOf :: Flank -> [Quarter]
-quartersOf Above = [AboveBack, AboveFront]
-quartersOf Below = [BelowBack, BelowFront]
+readingAt table e quarter = table V.! code (e, quarter)

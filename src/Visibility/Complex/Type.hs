@@ -45,6 +45,7 @@ module Visibility.Complex.Type
   , edgeTo
   , wrapsAround
   , Quarter (..)
+  , quartersOf
   , faceAt
   , edgeFacesOn
   , lastEdgeOf
@@ -317,11 +318,12 @@ faceAt complex e quarter = at (stretchFaces complex) (e, quarter)
 
 -- | The faces on a flank of a stretch, from back to front: 2 and 1 where it is tangent, 1 and 1 where it is ending.
 edgeFacesOn :: Complex -> EdgeId -> Flank -> [FaceId]
-edgeFacesOn complex e flank = nub (mapMaybe (faceAt complex e) quarters)
-  where
-    quarters = case flank of
-      Above -> [AboveBack, AboveFront]
-      Below -> [BelowBack, BelowFront]
+edgeFacesOn complex e = nub . mapMaybe (faceAt complex e) . quartersOf
+
+-- | The two quarters on a flank, from back to front.
+quartersOf :: Flank -> [Quarter]
+quartersOf Above = [AboveBack, AboveFront]
+quartersOf Below = [BelowBack, BelowFront]
 
 -- | All faces.
 faceIds :: Complex -> [FaceId]

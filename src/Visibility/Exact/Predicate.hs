@@ -12,6 +12,7 @@ module Visibility.Exact.Predicate
   , turn
   , machineTurn
   , opposite
+  , turnOrder
     -- * Turns of headings
   , headingTurn
   , filterTurn
@@ -28,6 +29,13 @@ module Visibility.Exact.Predicate
 import Data.Int (Int64)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
+
+-- | The order of two directions from the turn between them: of what is within half a turn, left comes later.
+turnOrder :: Turn -> Ordering
+turnOrder LeftTurn = LT
+turnOrder Collinear = EQ
+turnOrder RightTurn = GT
+{-# INLINE turnOrder #-}
 
 -- | The other way round; 'Collinear' stays.
 opposite :: Turn -> Turn
@@ -195,10 +203,7 @@ directionTurn (Direction ax ay) (Direction bx by) = signTurn (ax * by - ay * bx)
 --
 -- /Requires/ both right-going: dx > 0, or dx = 0 < dy. Angles are never computed.
 compareDirections :: Direction -> Direction -> Ordering
-compareDirections a b = case directionTurn a b of
-  LeftTurn -> LT
-  Collinear -> EQ
-  RightTurn -> GT
+compareDirections a b = turnOrder (directionTurn a b)
 
 -- | 90°, the last direction of the half turn.
 upwards :: Direction

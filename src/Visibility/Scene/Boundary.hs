@@ -296,13 +296,10 @@ wholeSides o = runST $ do
 -- | The order of directions from a place, each given by the place and another one: counter-clockwise, from the one that
 -- leads down, and from there on to the right.
 angleOrder :: Outline -> (Int, Int) -> (Int, Int) -> Ordering
-angleOrder o (x, a) (_, b) = compare (half a) (half b) <> byTurn
+angleOrder o (x, a) (_, b) =
+  compare (half a) (half b) <> turnOrder (turn (rankedPoints (outlineRanked o)) x a b)
   where
     half c = placeOf o c < placeOf o x
-    byTurn = case turn (rankedPoints (outlineRanked o)) x a b of
-      LeftTurn -> LT
-      Collinear -> EQ
-      RightTurn -> GT
 
 -- | What lies along a piece between two places, the first the lesser one. Sides by number.
 data Occupant

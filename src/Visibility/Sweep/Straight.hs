@@ -65,10 +65,7 @@ instance Eq Heading where
   a == b = compare a b == EQ
 
 instance Ord Heading where
-  compare (Heading points a b) (Heading _ c d) = case headingTurn points a b c d of
-    LeftTurn -> LT
-    Collinear -> EQ
-    RightTurn -> GT
+  compare (Heading points a b) (Heading _ c d) = turnOrder (headingTurn points a b c d)
 
 -- | The two corners whose curves end a face, if they are still to meet: then the upper one is that of the corner
 -- further to the right.

@@ -83,13 +83,7 @@ fromCorners _ = Nothing
 -- | The canonical order of vertices: by direction, then by offset, then along the line. /Cost/ O(1).
 compareVertices :: Scene -> Vertex -> Vertex -> Ordering
 compareVertices scene v w =
-  case headingTurn points a b c d of
-    LeftTurn -> LT
-    RightTurn -> GT
-    Collinear -> case turn points a b c of
-      LeftTurn -> LT
-      RightTurn -> GT
-      Collinear -> compare a c
+  turnOrder (headingTurn points a b c d) <> turnOrder (turn points a b c) <> compare a c
   where
     points = scenePoints scene
     (CornerId a, CornerId b) = (vertexFirst v, vertexLast v)

@@ -10,6 +10,8 @@ module Visibility.Complex.Law.Base
   , stretchesOf
   , cornersOf
   , pairsOf
+  , startOf
+  , endOf
     -- * Directions
   , lineOf
   , compareLines
@@ -70,6 +72,11 @@ cornersOf complex = map (entry (stretchCorners complex)) . stretchesOf complex
 pairsOf :: Complex -> [Int] -> [(CornerId, CornerId)]
 pairsOf complex line = maybe [] (vertexPairs (complexScene complex)) (fromCorners (map CornerId line))
 
+-- | The vertex where a stretch begins, and the one where it ends.
+startOf, endOf :: Complex -> EdgeId -> Int
+startOf complex e = let VertexId v = edgeFirst complex e in v
+endOf complex e = let VertexId v = edgeLast complex e in v
+
 -- | The direction of a vertex, from its first corner to its last.
 lineOf :: Complex -> Int -> Direction
 lineOf complex v = uncurry (direction (scenePoints (complexScene complex))) (endsOf complex v)
@@ -82,12 +89,8 @@ endsOf complex v = (corner (vertexStarts complex `entry` v), corner (vertexStart
 
 -- | The order of two vertices by direction.
 compareLines :: Complex -> Int -> Int -> Ordering
-compareLines complex v w = case headingTurn points a b c d of
-  LeftTurn -> LT
-  Collinear -> EQ
-  RightTurn -> GT
+compareLines complex v w = turnOrder (headingTurn (scenePoints (complexScene complex)) a b c d)
   where
-    points = scenePoints (complexScene complex)
     (a, b) = endsOf complex v
     (c, d) = endsOf complex w
 

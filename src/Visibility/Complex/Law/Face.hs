@@ -109,10 +109,6 @@ boundedChains =
                    ]
                 <> ["it goes on over the end of the half turn twice" | any (wrapsAround complex) after]
 
-startOf, endOf :: Complex -> EdgeId -> Int
-startOf complex e = let VertexId v = edgeFirst complex e in v
-endOf complex e = let VertexId v = edgeLast complex e in v
-
 raw :: EdgeId -> Int
 raw (EdgeId e) = e
 

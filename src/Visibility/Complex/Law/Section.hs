@@ -128,10 +128,8 @@ sectionOf complex d =
       | wrapsAround complex e = if begun then Just Forwards else if ended then Nothing else Just Backwards
       | otherwise = if begun && not ended then Just Forwards else Nothing
       where
-        begun = beforeLines V.! firstVertex e
-        ended = beforeLines V.! lastVertex e
-    firstVertex e = let VertexId v = edgeFirst complex e in v
-    lastVertex e = let VertexId v = edgeLast complex e in v
+        begun = beforeLines V.! startOf complex e
+        ended = beforeLines V.! endOf complex e
     -- By vertex: does it come before the direction?
     beforeLines = V.generate (vertexTotal complex) (\v -> compareDirections (lineOf complex v) d == LT)
     facesAt flank (e, reading) =
