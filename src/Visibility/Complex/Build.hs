@@ -87,8 +87,8 @@ record records cut (c, Outlook b f up) = do
   put 0 c >> put 1 b >> put 2 f >> put 3 up >> put 4 q0 >> put 5 q1 >> put 6 q2 >> put 7 q3
 
 -- | Puts together what has been collected along the sweep: the faces around all corners at the start, and their number,
--- since they are the first ones; then where the stretches of each vertex begin, the stretches, and the faces. Links the stretches of each corner, glues the end of the half turn to its start, and
--- collects the chains.
+-- since they are the first ones; then where the stretches of each vertex begin, the stretches, and the faces. Links the
+-- stretches of each corner, glues the end of the half turn to its start, and collects the chains.
 --
 -- A stretch cut by the start of the half turn has been collected once, as the last one of its corner. A face cut by
 -- it has two numbers: one from the start on, one up to the end. At the end every line is the one at the start read

@@ -24,6 +24,8 @@ module Visibility.Exact.Predicate
   , upwards
   , primitive
   , reversed
+    -- * Arcs of directions
+  , insideArc
   ) where
 
 import Data.Int (Int64)
@@ -216,3 +218,12 @@ primitive (Direction x y) = let g = max 1 (gcd x y) in Direction (x `quot` g) (y
 -- | The opposite direction.
 reversed :: Direction -> Direction
 reversed (Direction x y) = Direction (negate x) (negate y)
+
+-- | Is a direction inside the open arc from one direction counter-clockwise to another? Given is the turn from one
+-- direction to another; of two directions that are parallel, the arc is half a turn.
+insideArc :: (a -> a -> Turn) -> (a, a) -> a -> Bool
+insideArc to (a, b) c = case to a b of
+  LeftTurn -> to a c == LeftTurn && to c b == LeftTurn
+  Collinear -> to a c == LeftTurn
+  RightTurn -> not (to b c /= RightTurn && to c a /= RightTurn)
+{-# INLINE insideArc #-}

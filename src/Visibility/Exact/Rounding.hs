@@ -20,6 +20,7 @@ module Visibility.Exact.Rounding
   ) where
 
 import Data.Bits (bit, shiftL)
+import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator)
 import qualified Data.Vector as V
 import GHC.Num (integerLog2)
@@ -58,7 +59,7 @@ defaultDigits = Digits 17
 --
 -- /Source/ Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit (1991).
 decimal :: Digits -> RootSum -> String
-decimal n s = written n (rounded (nearestDecimal n) (sumValue (firstBits n) s))
+decimal n s = written n (rounded (firstBits n) (toDecimal Nearest n) s)
 
 -- | The 'decimal' of a number of which a positive enclosure is known, if both ends have the same one.
 --
@@ -106,7 +107,7 @@ firstBits (Digits n) = 10 * n `quot` 3 + 28
 --
 -- /Laws/ exact on numbers that are Doubles; monotone.
 nearestDouble :: RootSum -> Double
-nearestDouble s = rounded fromRational (sumValue 80 s)
+nearestDouble = rounded 80 fromRational
 
 -- | The shortest exact text of a rational: @2@, @1\/3@, @-7\/2@.
 rationalText :: Rational -> String
@@ -114,40 +115,17 @@ rationalText q
   | denominator q == 1 = show (numerator q)
   | otherwise = shows (numerator q) ('/' : show (denominator q))
 
--- | A real number as rounding needs it.
-data Value = Value
-  { firstLook :: Maybe (Rational, Rational)
-  , settled :: Settled
-  }
-
--- | What is known after deciding whether a number is rational. An irrational one has an enclosure for each number of
--- bits, shrinking to it.
-data Settled = IsRational Rational | IsIrrational (Int -> Maybe (Rational, Rational))
-
--- | Rounds by a monotone function whose steps are at rational places.
-rounded :: Eq a => (Rational -> a) -> Value -> a
-rounded f value = case firstLook value >>= agreed of
-  Just result -> result
-  Nothing -> case settled value of
-    IsRational q -> f q
-    IsIrrational within -> refine within 128
+-- | Rounds by a monotone function whose steps are at rational places, after a first look at so many bits. An irrational
+-- number has an enclosure for each number of bits, shrinking to it.
+rounded :: Eq a => Int -> (Rational -> a) -> RootSum -> a
+rounded bits f s = fromMaybe settled (agreed (enclosureRelative bits s))
   where
-    refine within bits = case within bits >>= agreed of
-      Just result -> result
-      Nothing -> refine within (2 * bits)
-    agreed (low, high) = let result = f low in if result == f high then Just result else Nothing
-
-sumValue :: Int -> RootSum -> Value
-sumValue bits s =
-  Value
-    { firstLook = awayFromZero (enclosureRelative bits s)
-    , settled = maybe (IsIrrational (\k -> awayFromZero (enclosureRelative k (merged s)))) IsRational (asRational s)
-    }
-
-awayFromZero :: (Rational, Rational) -> Maybe (Rational, Rational)
-awayFromZero (low, high)
-  | low > 0 || high < 0 = Just (low, high)
-  | otherwise = Nothing
+    settled = maybe (refine 128) f (asRational s)
+    refine k = fromMaybe (refine (2 * k)) (agreed (enclosureRelative k whole))
+    whole = merged s
+    agreed (low, high)
+      | low > 0 || high < 0, let found = f low, found == f high = Just found
+      | otherwise = Nothing
 
 -- | An integer of N digits, with its sign, and the decimal exponent of its leading digit; or zero.
 data Decimal = Decimal !Integer !Int
@@ -159,10 +137,6 @@ data Toward
     Nearest
   | Downwards
   | Upwards
-
--- | The nearest decimal of N digits, ties to the even last digit.
-nearestDecimal :: Digits -> Rational -> Decimal
-nearestDecimal = toDecimal Nearest
 
 toDecimal :: Toward -> Digits -> Rational -> Decimal
 toDecimal toward n q

@@ -113,11 +113,12 @@ overlaps o found = Set.fromList (concatMap (clashes . uncurry (limbs o)) (Map.el
       , clash <- clashOf x one other
       ]
     clashOf x (Arc p a b) (Arc q c d)
-      | p /= q && (sameWay o x a c || insideArc o x (a, b) c || insideArc o x (c, d) a) = [solids p q]
-    clashOf x (Arc p a b) (Ray q c) = [solids p q | insideArc o x (a, b) c]
-    clashOf x (Ray p a) (Arc q c d) = [solids p q | insideArc o x (c, d) a]
+      | p /= q && (sameWay o x a c || insideArc (turn points x) (a, b) c || insideArc (turn points x) (c, d) a) = [solids p q]
+    clashOf x (Arc p a b) (Ray q c) = [solids p q | insideArc (turn points x) (a, b) c]
+    clashOf x (Ray p a) (Arc q c d) = [solids p q | insideArc (turn points x) (c, d) a]
     clashOf x (Ray p a) (Ray q c) = [WallsOverlap (min p q) (max p q) | sameWay o x a c]
     clashOf _ _ _ = []
+    points = rankedPoints (outlineRanked o)
     solids p q = SolidsOverlap (min p q) (max p q)
 
 -- | The places where something meets: a corner there, all corners there, and the segments that pass through.
@@ -171,15 +172,6 @@ solidFlank o p = case outlineIds o V.! p of
 sameWay :: Outline -> Int -> Int -> Int -> Bool
 sameWay o x a b =
   turn (rankedPoints (outlineRanked o)) x a b == Collinear && (placeOf o a > placeOf o x) == (placeOf o b > placeOf o x)
-
--- | Does the direction to a corner lie inside an open arc?
-insideArc :: Outline -> Int -> (Int, Int) -> Int -> Bool
-insideArc o x (a, b) c = case to a b of
-  LeftTurn -> to a c == LeftTurn && to c b == LeftTurn
-  Collinear -> to a c == LeftTurn
-  RightTurn -> not (to b c /= RightTurn && to c a /= RightTurn)
-  where
-    to = turn (rankedPoints (outlineRanked o)) x
 
 -- | The corners of the boundary of free space, in the places of stated corners: where the face of a side, or what is
 -- not covered of it, begins if free space is kept on the right. In the order of places; in one place by name, and then

@@ -7,7 +7,7 @@ module Visibility.Scene.Cone
   ) where
 
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..), directionTurn)
+import Visibility.Exact.Predicate (Direction (..), directionTurn, insideArc)
 import Visibility.Scene
 
 -- | When to look, while a direction turns to the left: at it, or next to nothing before or after it.
@@ -24,15 +24,10 @@ data Moment = JustBefore | JustThen | JustAfter
 entersSolid :: Scene -> Moment -> CornerId -> Direction -> Bool
 entersSolid scene moment c ray
   | isWallEnd scene c = False
-  | otherwise = inside || (moment == JustAfter && along to) || (moment == JustBefore && along from)
+  | otherwise = insideArc directionTurn (to, from) ray || (moment == JustAfter && along to) || (moment == JustBefore && along from)
   where
     to = heading scene c (nextCorner scene c)
     from = heading scene c (previousCorner scene c)
-    inside = case directionTurn to from of
-      LeftTurn -> left to ray && left ray from
-      Collinear -> left to ray
-      RightTurn -> not (directionTurn from ray /= RightTurn && directionTurn ray to /= RightTurn)
-    left a b = directionTurn a b == LeftTurn
     along side = directionTurn side ray == Collinear && sameWay side ray
 
 -- | The direction from one corner to another.

@@ -41,14 +41,13 @@ import Visibility.Scene.Type (Scene, assemble)
 validate :: RawScene -> Either (NonEmpty SceneError) Scene
 validate raw
   | null shapes = Left (EmptyScene :| [])
-  | otherwise = case ordered (statementErrors shapes <> geometryErrors o look) of
+  | otherwise = case ordered (statementErrors shapes <> errors) of
       e : es -> Left (e :| es)
       [] -> Right (assemble (rawName raw) (contactTotal o found) shapes o (freeCorners o found))
   where
     shapes = zip (map Obstacle [0 ..]) (rawPolygons raw) <> [(Enclosure, room) | Just room <- [rawEnclosure raw]]
     o = outline [shape | shape@(_, polygon) <- shapes, cornerTotal polygon >= fewestCorners shape]
-    look = lookAt o
-    found = lookContacts look
+    (found, errors) = geometry o
     ordered = sortOn (\e -> (sceneErrorPlace e, e)) . Set.toList . Set.fromList
 
 sideTotalOf :: Shape -> Int
@@ -73,29 +72,16 @@ statementErrors shapes = concat [few shape <> sideNumbers shape <> materials sha
     material' place e r =
       [BadEmission place x | Just x <- [e], x < 0] <> [BadReflectivity place x | Just x <- [r], x < 0 || x >= 1]
 
--- What a look at all polygons finds.
-data Look = Look
-  { lookFlat :: Set.Set Int
-  -- ^ The rings that have all corners on one line.
-  , lookAlone :: [SceneError]
-  -- ^ What polygons have wrong at their own corners.
-  , lookContacts :: [Contact]
-  -- ^ Where boundaries meet.
-  , lookPlaced :: Placed
-  }
-
--- Is every polygon known to be where it may be?
-data Placed = AllInPlace | PlacesUnknown
-
--- The sweep tells scenes without contacts at a cost that nothing can raise; only if it finds something, all is looked
--- for. It is not made for polygons that have something wrong at their own corners.
-lookAt :: Outline -> Look
-lookAt o = case if null wrong then boundaries o else Meet of
-  Disjoint -> look [] AllInPlace
-  Misplaced -> look [] PlacesUnknown
-  Meet -> look (contacts o flat) PlacesUnknown
+-- Where boundaries meet, and all that is wrong in the plane. The sweep tells scenes without contacts at a cost that
+-- nothing can raise; only if it finds something, all is looked for. It is not made for polygons that have something
+-- wrong at their own corners.
+geometry :: Outline -> ([Contact], [SceneError])
+geometry o = case if null wrong then boundaries o else Meet of
+  Disjoint -> ([], [])
+  Misplaced -> ([], errors [])
+  Meet -> let found = contacts o flat in (found, errors found)
   where
-    look = Look flat wrong
+    errors = geometryErrors o flat wrong
     wrong = concatMap (alone o flat) (if placeTotal o < outlineTotal o then polygonIndices o else suspects)
     flat = Set.fromList (filter (isFlat o) suspects)
     suspects = filter (goesStraight o) (polygonIndices o)
@@ -108,14 +94,12 @@ goesStraight o p = any straight (cornersOf o p)
       (after, before) -> after /= noCorner && before /= noCorner && turn points before i after == Collinear
     points = rankedPoints (outlineRanked o)
 
-geometryErrors :: Outline -> Look -> [SceneError]
-geometryErrors o look = inThemselves <> crossings <> overlapping <> positions
+-- All that is wrong, from the rings that have all corners on one line, what polygons have wrong at their own corners,
+-- and all contacts.
+geometryErrors :: Outline -> Set.Set Int -> [SceneError] -> [Contact] -> [SceneError]
+geometryErrors o flat wrong found = inThemselves <> crossings <> overlapping <> positionErrors o flat met
   where
-    found = lookContacts look
-    inThemselves = lookAlone look <> [e | c <- found, Just e <- [ownContact o c]]
-    positions = case lookPlaced look of
-      AllInPlace -> []
-      PlacesUnknown -> positionErrors o (lookFlat look) met
+    inThemselves = wrong <> [e | c <- found, Just e <- [ownContact o c]]
     crossings = [CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t)) | Cross s t <- found]
     crossedByThemselves = [() | Cross s t <- found, owner s == owner t]
     crossed = Set.fromList [pairOf (owner s) (owner t) | Cross s t <- found]

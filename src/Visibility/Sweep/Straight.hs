@@ -15,9 +15,10 @@ module Visibility.Sweep.Straight
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
 import qualified Control.Monad.ST.Lazy as Lazy
+import Data.Graph (flattenSCC, stronglyConnComp)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
-import Data.List (sortBy)
+import Data.List (sort, sortBy)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import Data.STRef (STRef, modifySTRef', newSTRef, readSTRef, writeSTRef)
@@ -117,16 +118,10 @@ nextDirection scene faces cut = do
 -- on one vertex.
 joined :: [(Int, Int)] -> [Vertex]
 joined [(a, b)] = [Vertex (CornerId a) (CornerId b) []]
-joined pairs = mapMaybe (fromCorners . map CornerId . IntSet.toAscList) (components (IntMap.keysSet besides))
+joined pairs = mapMaybe (fromCorners . map CornerId . sort . flattenSCC) (stronglyConnComp besides)
   where
-    besides = IntMap.fromListWith (<>) (concat [[(a, [b]), (b, [a])] | (a, b) <- pairs])
-    components left = case IntSet.minView left of
-      Nothing -> []
-      Just (a, others) -> let line = reached [a] (IntSet.singleton a) in line : components (others IntSet.\\ line)
-    reached [] line = line
-    reached (a : rest) line =
-      let more = filter (`IntSet.notMember` line) (IntMap.findWithDefault [] a besides)
-       in reached (more <> rest) (foldr IntSet.insert line more)
+    besides = [(c, c, own) | (c, own) <- IntMap.toList (IntMap.fromListWith (<>) (concatMap bothWays pairs))]
+    bothWays (a, b) = [(a, [b]), (b, [a])]
 
 -- | Notes that a corner bounds the faces around it.
 bound :: Scene -> STRef s Faces -> Cut s -> Int -> ST s ()
