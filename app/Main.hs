@@ -1,12 +1,10 @@
 -- | The command line of viscomplex. No geometry here.
 module Main (main) where
 
-import Command.Draw (runDraw)
-import Command.Generate (runGenerate)
+import Command.Draw
 import Command.Mesh (runMesh)
-import Command.Query (runComplex, runFactors, runGraph, runInfo)
+import Command.Query
 import Command.Radiosity (runRadiosity)
-import Command.Verify (runVerify)
 import Command.View (runView)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options

@@ -4,60 +4,20 @@ module Options
     Command (..)
   , readCommand
     -- * Their options
-  , Common (..)
-  , GraphOptions (..)
-  , LineOrder (..)
-  , FactorOptions (..)
-  , FactorValues (..)
-  , MeshOptions (..)
-  , Breaks (..)
-  , ViewOptions (..)
-  , From (..)
-  , DrawOptions (..)
-  , Figure (..)
   , Objects (..)
   , GenerateOptions (..)
-  , RadiosityOptions (..)
-  , Elements (..)
-  , LightOptions (..)
-  , Frames (..)
+  , module Options.Common
+  , module Options.Draw
+  , module Options.Factors
+  , module Options.Mesh
+  , module Options.Radiosity
+  , module Options.View
   ) where
 
-import Control.Applicative ((<**>))
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Data.Version (showVersion)
-import Options.Applicative
-  ( InfoMod
-  , ParseError (ErrorMsg)
-  , Parser
-  , ParserInfo
-  , ParserResult (Failure)
-  , ReadM
-  , argument
-  , command
-  , customExecParser
-  , eitherReader
-  , flag
-  , footerDoc
-  , fullDesc
-  , handleParseResult
-  , header
-  , help
-  , helper
-  , hsubparser
-  , info
-  , infoOption
-  , long
-  , metavar
-  , option
-  , parserFailure
-  , prefs
-  , progDesc
-  , showDefaultWith
-  , showHelpOnEmpty
-  , value
-  )
+import Options.Applicative hiding (empty)
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
@@ -134,26 +94,26 @@ whole =
 commands :: Parser (Either Mistake Command)
 commands =
   hsubparser
-    ( command "info" (info (right (Info <$> common)) infoHelp)
-        <> command "graph" (info (right (Graph <$> common <*> graphOptions)) graphHelp)
+    ( command "info" (info (right (Info <$> commonOptions)) infoHelp)
+        <> command "graph" (info (right (Graph <$> commonOptions <*> graphOptions)) graphHelp)
         <> command "factors" factorsCommand
-        <> command "complex" (info (right (Complex <$> common <*> objects)) complexHelp)
+        <> command "complex" (info (right (Complex <$> commonOptions <*> objects)) complexHelp)
         <> command "radiosity" radiosityCommand
         <> command "view" viewCommand
-        <> command "mesh" (info (right (Mesh <$> common <*> meshOptions)) meshHelp)
-        <> command "verify" (info (right (Verify <$> common)) verifyHelp)
+        <> command "mesh" (info (right (Mesh <$> commonOptions <*> meshOptions)) meshHelp)
+        <> command "verify" (info (right (Verify <$> commonOptions)) verifyHelp)
         <> command "draw" drawCommand
         <> command "generate" (info (right (Generate <$> generateOptions)) generateHelp)
     )
   where
     right = fmap Right
-    factorsCommand = info (mistakenIn "factors" factorsCommand (factoring <$> common <*> factorOptions)) factorsHelp
+    factorsCommand = info (mistakenIn "factors" factorsCommand (factoring <$> commonOptions <*> factorOptions)) factorsHelp
     factoring shared = fmap (Factors shared)
     radiosityCommand =
-      info (mistakenIn "radiosity" radiosityCommand (radiating <$> common <*> radiosityOptions)) radiosityHelp
+      info (mistakenIn "radiosity" radiosityCommand (radiating <$> commonOptions <*> radiosityOptions)) radiosityHelp
     radiating shared = fmap (Radiosity shared)
-    viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> common <*> viewOptions)) viewHelp
-    drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> common <*> figureOption)) drawHelp
+    viewCommand = info (mistakenIn "view" viewCommand (fmap . View <$> commonOptions <*> viewOptions)) viewHelp
+    drawCommand = info (mistakenIn "draw" drawCommand (drawing <$> figureKind <*> commonOptions <*> figureOption)) drawHelp
     drawing chosen shared file = Draw shared . (`DrawOptions` file) <$> chosen
     mistakenIn name within = fmap (either (Left . Mistake name within) Right)
     objects =
@@ -273,16 +233,11 @@ generateOptions =
       (oneOf [(familyLabel f, f) | f <- [minBound ..]])
       (metavar "FAMILY" <> help (intercalate ", " (map familyLabel [minBound ..])))
     <*> option
-      sizeReader
+      (eitherReader (countOf "size" 10000000 size))
       (long "size" <> metavar "N" <> help "How many polygons (of a comb: teeth).")
     <*> option
       (eitherReader (fmap (Seed . fromInteger) . wholeNumber "seed" 0 (2 ^ (64 :: Int) - 1)))
       (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "A whole number.")
-
-sizeReader :: ReadM Size
-sizeReader = eitherReader $ \word -> do
-  count <- fromInteger <$> wholeNumber "size" 1 10000000 word
-  maybe (Left "give a size of 1 or more") Right (size count)
 
 familyLabel :: Family -> String
 familyLabel = Text.unpack . familyName

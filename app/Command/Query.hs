@@ -1,27 +1,35 @@
--- | Commands that ask what a scene's complex is: info, graph, factors, complex.
+-- | Commands that ask what a scene's complex is: info, graph, factors, complex, verify; and the one that makes scenes.
 module Command.Query
   ( runInfo
   , runGraph
   , runFactors
   , runComplex
+  , runVerify
+  , runGenerate
   ) where
 
 import Command.Mesh (divided)
+import Control.Monad (unless)
 import Data.ByteString.Builder (string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
 import Options
 import Progress (withProgress)
-import Run (measuring, printed, streamed, sweeping, sweepingPieces, withScene)
+import Run (ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
+import Visibility.Complex.Law (checked)
 import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Count (count)
+import Visibility.Error (Outcome (..))
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
 import Visibility.Format.Complex (complexDocument, polygonDocument)
 import Visibility.Format.Factors (Detail (..), decimalDocument, exactDocument, nearestDocument, sideBuilder)
 import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText)
+import Visibility.Format.Json (sceneDocument)
+import Visibility.Format.Verdict (verdictText)
 import Visibility.Mesh (elementNames, refinedScene)
+import Visibility.Scene.Family (family)
 import Visibility.Sweep (Piece)
 import Visibility.View (events)
 
@@ -71,3 +79,16 @@ runComplex common objects = withScene common $ \scene ->
     shown = case objects of
       BySides -> complexDocument
       ByPolygons -> polygonDocument . polygonComplex
+
+-- | A line for each law; exit code 5 if one does not hold.
+runVerify :: Common -> IO ()
+runVerify common = withScene common $ \scene ->
+  sweeping common scene $ \swept -> do
+    let verdicts = checked (build scene swept)
+    printed (stringUtf8 (verdictText verdicts))
+    unless (all (null . snd) verdicts) $ ends DifferenceFound
+
+-- | Prints a generated scene.
+runGenerate :: GenerateOptions -> IO ()
+runGenerate options =
+  printed (sceneDocument (family (generatedFamily options) (generatedSize options) (generatedSeed options)))

@@ -1,7 +1,7 @@
 -- | The options that commands on a scene share, and those of the graph.
 module Options.Common
   ( Common (..)
-  , common
+  , commonOptions
     -- * The graph
   , GraphOptions (..)
   , LineOrder (..)
@@ -29,8 +29,8 @@ data GraphOptions = GraphOptions
 
 data LineOrder = ByName | AsSwept
 
-common :: Parser Common
-common = Common <$> scene <*> arithmetic <*> scheduler
+commonOptions :: Parser Common
+commonOptions = Common <$> scene <*> arithmetic <*> scheduler
   where
     scene = argument str (metavar "SCENE" <> help sources)
     sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."

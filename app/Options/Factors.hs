@@ -76,7 +76,7 @@ digitsOption = fromMaybe defaultDigits <$> optional digitsGiven
 digitsGiven :: Parser Digits
 digitsGiven =
   option
-    significant
+    (eitherReader (countOf "digits" 1000000 digits))
     ( long "digits"
         <> metavar "N"
         <> help
@@ -85,10 +85,6 @@ digitsGiven =
               <> ")"
           )
     )
-  where
-    significant = eitherReader $ \word -> do
-      count <- fromInteger <$> wholeNumber "digits" 1 1000000 word
-      maybe (Left "give 1 digit or more") Right (digits count)
 
 detailOption :: Parser Detail
 detailOption =

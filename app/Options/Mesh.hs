@@ -104,5 +104,4 @@ breaksNamed word = case (word, stripPrefix "uniform:" word) of
   _ -> Left (word <> " is none of: all, shadow-limits, uniform:N")
 
 count :: String -> String -> Either String ElementCount
-count name word =
-  wholeNumber name 1 1000000 word >>= maybe (Left "give 1 element or more") Right . elementCount . fromInteger
+count name = countOf name 1000000 elementCount

@@ -38,7 +38,7 @@ radiosityOptions =
         )
     exact =
       option
-        digitsReader
+        (eitherReader (countOf "digits" 10000 digits))
         ( long "digits"
             <> metavar "N"
             <> help "Significant digits, from exact form factors; for small scenes. Bounds are rounded outwards."
@@ -52,6 +52,3 @@ radiosityOptions =
         Left why -> Left (show word <> numberFaultText why)
         Right x -> maybe (Left (word <> none)) Right (tolerance x)
     none = " is no tolerance: give a number between 0 and 1, such as 1e-12"
-    digitsReader = eitherReader $ \word -> do
-      count <- fromInteger <$> wholeNumber "digits" 1 10000 word
-      maybe (Left "give 1 digit or more") Right (digits count)

@@ -2,6 +2,7 @@
 module Options.Reader
   ( oneOf
   , wholeNumber
+  , countOf
   , pairReader
   , directionReader
   , nameReader
@@ -29,6 +30,11 @@ wholeNumber :: String -> Integer -> Integer -> String -> Either String Integer
 wholeNumber name least greatest word = case readMaybe word of
   Just n | not (null word), all isDigit word, least <= n, n <= greatest -> Right n
   _ -> Left (name <> ": " <> show word <> " is not a whole number from " <> show least <> " to " <> show greatest)
+
+-- | What is made of a number from 1 to a greatest one.
+countOf :: String -> Integer -> (Int -> Maybe a) -> String -> Either String a
+countOf name greatest make word =
+  wholeNumber name 1 greatest word >>= maybe (Left (name <> ": give 1 or more")) Right . make . fromInteger
 
 -- | Two exact numbers with a comma between them.
 pairReader :: ReadM (Rational, Rational)
