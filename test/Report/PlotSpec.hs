@@ -90,4 +90,4 @@ plotOf across upwards found =
     }
   where
     looks = zip series [minBound .. maxBound]
-    series = [Series1, Series2, Series3, Series4, Series5, Series6, Series7, Series8, Series9]
+    series = [series1, series2, series3, series4, series5, series6, series7, series8, series9]

@@ -152,16 +152,8 @@ data Style
     BandEdge
   | -- | The values along a side.
     ProfileLine
-  | -- | Points of a plot that belong together, and the line that joins them.
-    Series1
-  | Series2
-  | Series3
-  | Series4
-  | Series5
-  | Series6
-  | Series7
-  | Series8
-  | Series9
+  | -- | Points of a plot that belong together, and the line that joins them, in a colour @#rrggbb@ of its own.
+    PlotLine !String
   | Axis
   | -- | The line u = 0 or another faint line of reference.
     Reference
@@ -280,24 +272,14 @@ strokeWidth density style = case style of
   Opaque -> by 1.2 0.9 0.4 0.2
   RoomWall -> by 2 1.6 1.2 1
   ThinWall -> by 2.6 2 1.2 0.8
-  Bitangent -> by 0.7 0.35 0.2 0.2
   LightRim -> by 5.4 4.2 3 1.6
   LightSource -> by 3 2.4 1.6 0.8
-  LightRay -> by 0.9 0.7 0.4 0.2
   TangentCurve -> by 1.3 0.5 0.18 0.06
   EndingCurve -> by 1.1 0.45 0.15 0.05
   BuriedCurve -> by 1 0.4 0.15 0.05
-  SightLimit -> by 0.9 0.7 0.4 0.2
   SweptLine -> by 6 4 2.4 1.2
   ReadyLine -> by 7 4.5 2.4 1.2
-  RightTreeEdge -> by 1.1 0.7 0.4 0.2
-  LeftTreeEdge -> by 1.1 0.7 0.4 0.2
-  NewRightTreeEdge -> by 2.4 1.6 0.8 0.4
-  NewLeftTreeEdge -> by 2.4 1.6 0.8 0.4
   ShadowLimitTick -> by 1.8 1.2 0.6 0.3
-  KinkTick -> by 1.2 0.8 0.4 0.2
-  EqualPartsTick -> by 1.2 0.8 0.4 0.2
-  ShadowLine -> by 0.7 0.35 0.2 0.2
   KinkLine -> by 0.6 0.3 0.2 0.2
   SeenSide -> by 3.4 2.8 1.8 1.2
   SeeingSide -> by 5.4 4.6 3.4 2.4
@@ -307,11 +289,15 @@ strokeWidth density style = case style of
   ViewpointDot -> 1.6
   DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
   Axis -> 1
-  Reference -> 0.8
-  Tick -> 0.8
   Leader -> 0.7
-  _ | Series1 <= style && style <= Series9 -> 1.3
-  _ -> 0
+  PlotLine _ -> 1.3
+  _ | style `elem` [Bitangent, ShadowLine] -> by 0.7 0.35 0.2 0.2
+    | style `elem` [LightRay, SightLimit] -> by 0.9 0.7 0.4 0.2
+    | style `elem` [RightTreeEdge, LeftTreeEdge] -> by 1.1 0.7 0.4 0.2
+    | style `elem` [NewRightTreeEdge, NewLeftTreeEdge] -> by 2.4 1.6 0.8 0.4
+    | style `elem` [KinkTick, EqualPartsTick] -> by 1.2 0.8 0.4 0.2
+    | style `elem` [Reference, Tick] -> 0.8
+    | otherwise -> 0
   where
     by = byDensity density
 

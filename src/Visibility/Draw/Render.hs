@@ -150,12 +150,8 @@ look density style = case style of
   Outside -> Look (Just solid) Nothing []
   RoomFloor -> Look (Just "#ffffff") Nothing []
   Opaque -> Look (Just solid) (Just dark) []
-  RoomWall -> line dark
-  ThinWall -> line dark
   Bitangent -> line (by "#3a78b5" "#5a91c6" "#3a78b5")
-  LightRim -> line dark
   LightSource -> line "#ffd92e"
-  LightRay -> line dark
   TangentCurve -> line (by "#16365c" "#16365c" "#33557f")
   EndingCurve -> Look Nothing (Just (by "#d08a3e" "#d08a3e" "#dba368")) (by [4, 2.5] [3, 2] [2, 1.5])
   BuriedCurve -> Look Nothing (Just "#8c8c8c") (by [1.2, 2.6] [1, 2] [0.8, 1.6])
@@ -163,7 +159,6 @@ look density style = case style of
   SightLimit -> line "#3a78b5"
   ShadowLimitTick -> line accent
   KinkTick -> line "#1f62a8"
-  EqualPartsTick -> line dark
   ShadowLine -> line (by "#c9556a" "#c9556a" "#b3122a")
   KinkLine -> Look Nothing (Just (by "#6f9fcc" "#6f9fcc" "#3a78b5")) (by [5, 3] [4, 2.5] [3, 2])
   SweptLine -> line "#f3b6bd"
@@ -180,22 +175,10 @@ look density style = case style of
   DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) []
   Cell shade -> Look (Just (hexText shade)) Nothing []
   Band shade -> Look (Just (hexText shade)) Nothing []
-  BandEdge -> line dark
-  ProfileLine -> line dark
-  Series1 -> line "#1f1f1f"
-  Series2 -> line "#1f62a8"
-  Series3 -> line "#b3122a"
-  Series4 -> line "#2b7a3d"
-  Series5 -> line "#a8641b"
-  Series6 -> line "#6b4a9e"
-  Series7 -> line "#7a7a7a"
-  Series8 -> line "#00808c"
-  Series9 -> line "#b5308c"
-  Axis -> line dark
+  PlotLine colour -> line colour
   Reference -> line "#b5b5b5"
-  Tick -> line dark
   Leader -> Look Nothing (Just "#555555") [1.5, 1.5]
-  _ -> Look Nothing Nothing []
+  _ -> line dark
   where
     line colour = Look Nothing (Just colour) []
     solid = "#d4d4d4"

@@ -186,7 +186,7 @@ factorsSection plan = do
       | (t, e) <- elsewhere c
       ]
     elsewhereSeries c =
-      [ Series "approximate programs elsewhere, not measured here" Series9 Star Apart found
+      [ Series "approximate programs elsewhere, not measured here" series9 Star Apart found
       | let found = elsewhere c
       , not (null found)
       ]
@@ -245,12 +245,12 @@ plot c title part others rows =
 -- | How each method is drawn, in all plots alike.
 looks :: [(String, (Style, Marker))]
 looks =
-  [ ("exact string rule", (Series1, Circle))
-  , ("nearest Doubles (proved)", (Series2, Square))
-  , ("string rule in Double on the exact topology", (Series4, Triangle))
-  , ("compensated Double on the exact topology", (Series6, Wedge))
-  , ("all Double", (Series7, Plus))
-  , ("double integral", (Series5, Diamond))
-  , ("area in the dual", (Series8, Bar))
-  , ("random lines", (Series3, Cross))
+  [ ("exact string rule", (series1, Circle))
+  , ("nearest Doubles (proved)", (series2, Square))
+  , ("string rule in Double on the exact topology", (series4, Triangle))
+  , ("compensated Double on the exact topology", (series6, Wedge))
+  , ("all Double", (series7, Plus))
+  , ("double integral", (series5, Diamond))
+  , ("area in the dual", (series8, Bar))
+  , ("random lines", (series3, Cross))
   ]

@@ -253,12 +253,12 @@ signText rows = case signsIn rows of
 -- | The marks of the plot: which rows have which.
 kinds :: [(String, Style, Marker, Row -> Bool)]
 kinds =
-  [ (verdictWord Correct, Series2, Circle, \r -> rowVerdict r == Correct && not (isOpen r))
-  , ("right pairs, but form factors that do not add up", Series4, Diamond, \r -> rowVerdict r == Correct && isOpen r)
-  , (verdictWord (Wrong 0 0), Series3, Cross, \r -> case rowVerdict r of Wrong _ _ -> True; _ -> False)
-  , (failureWord Refused, Series5, Triangle, (== NoAnswer Refused) . rowVerdict)
+  [ (verdictWord Correct, series2, Circle, \r -> rowVerdict r == Correct && not (isOpen r))
+  , ("right pairs, but form factors that do not add up", series4, Diamond, \r -> rowVerdict r == Correct && isOpen r)
+  , (verdictWord (Wrong 0 0), series3, Cross, \r -> case rowVerdict r of Wrong _ _ -> True; _ -> False)
+  , (failureWord Refused, series5, Triangle, (== NoAnswer Refused) . rowVerdict)
   , ( "crashed, or out of time or memory"
-    , Series7
+    , series7
     , Square
     , \r -> case rowVerdict r of NoAnswer failure -> failure /= Refused; _ -> False
     )

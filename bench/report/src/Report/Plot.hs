@@ -5,6 +5,7 @@ module Report.Plot
   ( Plot (..)
   , Scale (..)
   , Series (..)
+  , series1, series2, series3, series4, series5, series6, series7, series8, series9
   , Join (..)
   , Marker (..)
   , plotDrawing
@@ -228,3 +229,15 @@ marker s (Place x y) = map (Mark (seriesName s) (seriesStyle s)) shapes
         , let a = pi * (fromIntegral k + 0.5) / 3
         ]
     at dx dy = Place (x + dx) (y + dy)
+
+-- | The styles of series, which differ in lightness too.
+series1, series2, series3, series4, series5, series6, series7, series8, series9 :: Style
+series1 = PlotLine "#1f1f1f"
+series2 = PlotLine "#1f62a8"
+series3 = PlotLine "#b3122a"
+series4 = PlotLine "#2b7a3d"
+series5 = PlotLine "#a8641b"
+series6 = PlotLine "#6b4a9e"
+series7 = PlotLine "#7a7a7a"
+series8 = PlotLine "#00808c"
+series9 = PlotLine "#b5308c"

@@ -12,7 +12,6 @@ import Report.Lit
 import Report.Measure
 import Report.Paper
 import Report.Scenes
-import Visibility.Draw.Drawing (Style (Series1, Series2, Series3, Series5, Series7))
 import Visibility.Radiosity (Radiosity)
 import Report.Plot
 import Visibility.Scene
@@ -195,12 +194,12 @@ plot c across cost rows =
     , plotAcross = Decades across
     , plotUpwards = Decades "mean error, as a part of the mean radiosity"
     , plotSeries =
-        [ series "no mesh: whole sides" Series7 Star ["no mesh"]
-        , series "uniform" Series2 Square ["uniform"]
-        , series "shadow limits" Series5 Plus ["shadow limits"]
-        , series "bounded discontinuity mesh, up to all of it" Series1 Circle
+        [ series "no mesh: whole sides" series7 Star ["no mesh"]
+        , series "uniform" series2 Square ["uniform"]
+        , series "shadow limits" series5 Plus ["shadow limits"]
+        , series "bounded discontinuity mesh, up to all of it" series1 Circle
             ["bounded discontinuity mesh", "discontinuity mesh"]
-        , series "discontinuity and uniform" Series3 Cross ["discontinuity and uniform"]
+        , series "discontinuity and uniform" series3 Cross ["discontinuity and uniform"]
         ]
     }
   where

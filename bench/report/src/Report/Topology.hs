@@ -15,7 +15,6 @@ import Report.Measure
 import Report.Paper
 import Report.Scenes
 import Report.Verdict
-import Visibility.Draw.Drawing (Style (Series1, Series2, Series3, Series4, Series5, Series6, Series8))
 import Visibility.Exact.Point (Arithmetic (..))
 import Report.Plot
 import Visibility.Scene
@@ -236,13 +235,13 @@ ladderPlot ladder rows =
     , plotAcross = Decades "corners"
     , plotUpwards = Decades "µs per visible pair"
     , plotSeries =
-        [ series "filtered, topological" Series1 Circle "filtered" "topological"
-        , series "filtered, straight" Series2 Square "filtered" "straight"
-        , series "double, topological" Series3 Cross "double" "topological"
-        , series "exact, topological" Series4 Triangle "exact" "topological"
-        , series "rational on the lattice, topological" Series5 Diamond "rational" "topological"
-        , series "filtered, reference" Series8 Wedge "filtered" "reference"
-        , series "brute force" Series6 Plus "integers" "brute force"
+        [ series "filtered, topological" series1 Circle "filtered" "topological"
+        , series "filtered, straight" series2 Square "filtered" "straight"
+        , series "double, topological" series3 Cross "double" "topological"
+        , series "exact, topological" series4 Triangle "exact" "topological"
+        , series "rational on the lattice, topological" series5 Diamond "rational" "topological"
+        , series "filtered, reference" series8 Wedge "filtered" "reference"
+        , series "brute force" series6 Plus "integers" "brute force"
         ]
     }
   where
