@@ -7,13 +7,8 @@
 -- it.
 module Visibility.Ray
   ( -- * Rays
-    Hit (..)
-  , shoot
-  , viewAt
-    -- * Many rays
-  , Rays
+    Rays
   , raysIn
-  , shootBoth
   , viewFrom
   , hiders
     -- * The solid at a corner
@@ -30,83 +25,54 @@ import Visibility.Scene
 import Visibility.Scene.Cone
 import Visibility.View
 
--- | What a ray meets first.
-data Hit = Meets !Object | Solid
-  deriving (Eq, Ord, Show)
-
--- | A scene made ready for many rays: the corners' coordinates, x and y of corner i at 2i and 2i+1.
+-- | A scene made ready for many rays: the corners' coordinates times a common denominator, x and y of corner i at 2i
+-- and 2i+1.
 data Rays = Rays !Scene !Coordinates
 
--- | In machine integers where all are integers in [0, 2³⁰); else in integers where they can be.
-data Coordinates = Small !(U.Vector Int) | Large !(V.Vector Integer) | Between !(V.Vector Rational)
+-- | In machine integers where all are in [0, 2³⁰).
+data Coordinates = Small !(U.Vector Int) | Large !(V.Vector Integer)
 
 -- | /Cost/ O(n).
 raysIn :: Scene -> Rays
 raysIn scene
-  | not (all isWhole places) = Rays scene (Between (V.fromList (concat [[x, y] | (x, y) <- map coordinates places])))
   | all (< 2 ^ (30 :: Int)) numbers = Rays scene (Small (U.fromList (map fromInteger numbers)))
   | otherwise = Rays scene (Large (V.fromList numbers))
   where
     places = map (cornerAt scene) (corners scene)
-    numbers = concat [[x, y] | LatticePoint x y _ <- places]
+    whole = foldr lcm 1 [w | LatticePoint _ _ w <- places]
+    numbers = concat [[x * (whole `div` w), y * (whole `div` w)] | LatticePoint x y w <- places]
 
--- | The ray from a corner.
+-- | The view of a corner: what is seen from it against a direction and along it.
 --
--- /Requires/ a direction in which no other corner is seen, that does not run along a side of the corner.
--- /Cost/ O(n); 'shootBoth' when many are shot.
-shoot :: Scene -> CornerId -> Direction -> Hit
-shoot scene c = snd . shootBoth (raysIn scene) c
-
--- | The view of a corner.
---
--- /Requires/ a direction in which, forward and backward, no other corner is seen. /Cost/ O(n).
-viewAt :: Scene -> CornerId -> Direction -> View Object
-viewAt = viewFrom . raysIn
-
--- | What is seen from a corner against a direction and along it.
---
--- /Degenerate cases/ the line may pass through corners that are hidden from this one. In a scene where it meets a
--- corner that is seen, the result means nothing.
+-- /Requires/ a direction in which, forward and backward, no other corner is seen. /Degenerate cases/ the line may pass
+-- through corners that are hidden from this one.
 --
 -- /Cost/ O(n), one pass for both rays; where the direction is below 2³¹ too, in machine integers but for the
 -- comparison of the distances of sides that the line does cross.
-shootBoth :: Rays -> CornerId -> Direction -> (Hit, Hit)
-shootBoth (Rays scene table) c d@(Direction dx dy) = (sight (reversed d) back, sight d front)
-  where
-    CornerId i = c
-    n = cornerCount scene
-    following s = let CornerId t = nextCorner scene (CornerId s) in t
-    (back, front) = case table of
-      Small xs
-        | abs dx < 2 ^ (31 :: Int)
-        , abs dy < 2 ^ (31 :: Int) ->
-            nearestSides machineProducts n following (U.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
-        | otherwise -> nearestSides exactProducts n following (toInteger . U.unsafeIndex xs) i dx dy
-      Large xs -> nearestSides exactProducts n following (V.unsafeIndex xs) i dx dy
-      Between xs -> nearestSides exactProducts n following (V.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
-    machineProducts a b p q = compare (toInteger a * toInteger b) (toInteger p * toInteger q)
-    sight ray met
-      | entersSolid scene JustThen c ray = Solid
-      | otherwise = case met of
-          Nothing -> case surroundings scene of OpenSky -> Meets Sky; Room -> Solid
-          Just s -> maybe Solid (Meets . Side) s
-
--- | The view of a corner, as 'viewAt'.
 viewFrom :: Rays -> CornerId -> Direction -> View Object
-viewFrom rays@(Rays scene _) c d = case shootBoth rays c d of
-  (Meets back, Meets front) -> Tangent flank back front
-  (Meets back, Solid) -> Ending Front back
-  (Solid, Meets front) -> Ending Back front
-  (Solid, Solid) -> Buried flank
+viewFrom (Rays scene table) c@(CornerId i) d@(Direction dx dy) = case (sight (reversed d) back, sight d front) of
+  (Just behind, Just ahead) -> Tangent flank behind ahead
+  (Just behind, Nothing) -> Ending Front behind
+  (Nothing, Just ahead) -> Ending Back ahead
+  (Nothing, Nothing) -> Buried flank
   where
     flank = nextFlank scene JustThen c d
+    (back, front) = case table of
+      Small xs
+        | max (abs dx) (abs dy) < 2 ^ (31 :: Int) ->
+            nearestSides machineProducts scene (U.unsafeIndex xs) i (fromInteger dx) (fromInteger dy)
+        | otherwise -> nearestSides exactProducts scene (toInteger . U.unsafeIndex xs) i dx dy
+      Large xs -> nearestSides exactProducts scene (V.unsafeIndex xs) i dx dy
+    machineProducts a b p q = compare (toInteger a * toInteger b) (toInteger p * toInteger q)
+    exactProducts a b p q = compare (a * b) (p * q)
+    sight ray met
+      | entersSolid scene JustThen c ray = Nothing
+      | otherwise = case met of
+          Nothing -> case surroundings scene of OpenSky -> Just Sky; Room -> Nothing
+          Just s -> Side <$> s
 
 -- | The nearest side so far: its distance as a fraction, and the side, or −1 if it is crossed from the solid.
 data Nearest a = Nowhere | At !a !a !Int
-
--- | Compares the product of the first two numbers with that of the others.
-exactProducts :: (Num a, Ord a) => a -> a -> a -> a -> Ordering
-exactProducts a b p q = compare (a * b) (p * q)
 
 -- | The nearest sides that the line through a corner crosses, backward and forward; 'Nothing' inside where such a
 -- side is crossed from the solid. A side that the line only touches at a corner is not crossed.
@@ -115,15 +81,15 @@ exactProducts a b p q = compare (a * b) (p * q)
 nearestSides
   :: (Num a, Ord a)
   => (a -> a -> a -> a -> Ordering)
-  -> Int
-  -> (Int -> Int)
+  -> Scene
   -> (Int -> a)
   -> Int
   -> a
   -> a
   -> (Maybe (Maybe SideId), Maybe (Maybe SideId))
-nearestSides products n following coordinate i dx dy = go 0 Nowhere Nowhere
+nearestSides products scene coordinate i dx dy = go 0 Nowhere Nowhere
   where
+    n = cornerCount scene
     !cx = coordinate (2 * i)
     !cy = coordinate (2 * i + 1)
     go !s !back !front
@@ -134,7 +100,7 @@ nearestSides products n following coordinate i dx dy = go 0 Nowhere Nowhere
       | ahead > 0 = go (s + 1) back (nearer front)
       | otherwise = go (s + 1) (nearer back) front
       where
-        !t = following s
+        !(CornerId t) = nextCorner scene (CornerId s)
         !ax = coordinate (2 * s)
         !ay = coordinate (2 * s + 1)
         !bx = coordinate (2 * t)
@@ -162,20 +128,17 @@ nearestSides products n following coordinate i dx dy = go 0 Nowhere Nowhere
 
 -- | The corners that lie on the open segment between two corners, and those that begin a side which crosses it.
 --
--- /Cost/ O(n), in machine integers as 'shootBoth'.
+-- /Cost/ O(n), in machine integers as 'viewFrom'.
 hiders :: Rays -> CornerId -> CornerId -> [CornerId]
 hiders (Rays scene table) (CornerId p) (CornerId q) = map CornerId $ case table of
-  Small xs -> hidersBetween n following (U.unsafeIndex xs) p q
-  Large xs -> hidersBetween n following (V.unsafeIndex xs) p q
-  Between xs -> hidersBetween n following (V.unsafeIndex xs) p q
-  where
-    n = cornerCount scene
-    following s = let CornerId t = nextCorner scene (CornerId s) in t
+  Small xs -> hidersBetween scene (U.unsafeIndex xs) p q
+  Large xs -> hidersBetween scene (V.unsafeIndex xs) p q
 
 -- | /Requires/ two products of coordinates, added up, below 2⁶¹ where the numbers are machine integers.
-hidersBetween :: (Num a, Ord a) => Int -> (Int -> Int) -> (Int -> a) -> Int -> Int -> [Int]
-hidersBetween n following coordinate p q = go 0
+hidersBetween :: (Num a, Ord a) => Scene -> (Int -> a) -> Int -> Int -> [Int]
+hidersBetween scene coordinate p q = go 0
   where
+    n = cornerCount scene
     !px = coordinate (2 * p)
     !py = coordinate (2 * p + 1)
     !qx = coordinate (2 * q)
@@ -191,7 +154,7 @@ hidersBetween n following coordinate p q = go 0
       | a > 0 = b < 0 && apart
       | otherwise = b > 0 && apart
       where
-        !t = following s
+        !(CornerId t) = nextCorner scene (CornerId s)
         !ax = coordinate (2 * s)
         !ay = coordinate (2 * s + 1)
         !bx = coordinate (2 * t)

@@ -10,10 +10,13 @@ module Visibility.Sight
     -- * The visibility polygon
   , Region (..)
   , region
+  , rayMeets
     -- * Form factors of an element
   , elementFactors
     -- * Directions around a point
   , compareAround
+  , compareFrom
+  , sameDirection
   ) where
 
 import Data.Function (on)
@@ -190,18 +193,21 @@ elementFactors scene normal sights =
       | wraps = (one - sineAt from) + (sineAtEnd to + one)
       | otherwise = sineAtEnd to - sineAt from
       where
-        wraps = not (to `along` rightmost) && compareFrom rightmost from to /= LT
+        wraps = not (to `sameDirection` rightmost) && compareFrom rightmost from to /= LT
     one = RootSum.rational 1
-    sineAtEnd d = if d `along` rightmost then one else sineAt d
+    sineAtEnd d = if d `sameDirection` rightmost then one else sineAt d
     sineAt d
-      | d `along` rightmost = negate one
+      | d `sameDirection` rightmost = negate one
       | ahead <= 0 = one
       | otherwise = RootSum.hypotenuse (aside % (ahead * ahead + aside * aside)) ahead aside
       where
         Direction dx dy = primitive d
         ahead = nx * dx + ny * dy
         aside = nx * dy - ny * dx
-    along a b = primitive a == primitive b
+
+-- | Do two vectors point the same way?
+sameDirection :: Direction -> Direction -> Bool
+sameDirection a b = primitive a == primitive b
 
 -- | The order of rays by angle, turning counter-clockwise from (1, 0) on for one full turn.
 compareAround :: Direction -> Direction -> Ordering

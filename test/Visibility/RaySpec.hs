@@ -7,6 +7,7 @@ import Visibility.Complex.Law.Section (directionsFrom, isGeneric)
 import Visibility.Exact.Point (Point (..), coordinates)
 import Visibility.Exact.Predicate
 import Visibility.Ray
+import Visibility.Test.Ray
 import Visibility.Scene
 import Visibility.Scene.Cone
 import Visibility.Scene.Raw

@@ -1,6 +1,9 @@
--- | All edges of a scene by shooting rays: an oracle for views and edges.
+-- | Rays and all edges of a scene by shooting them: an oracle for views and edges.
 module Visibility.Test.Ray
-  ( edgesByRays
+  ( Hit (..)
+  , shoot
+  , viewAt
+  , edgesByRays
   ) where
 
 import Data.List (minimumBy, sortBy)
@@ -9,7 +12,22 @@ import Visibility.Ray
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.Test.BruteForce (bruteForce)
+import Visibility.Test.Scan (Hit (..))
 import Visibility.View
+
+-- | The ray from a corner.
+--
+-- /Requires/ a direction in which no other corner is seen, that does not run along a side of the corner.
+-- /Cost/ O(n).
+shoot :: Scene -> CornerId -> Direction -> Hit
+shoot scene c d = case viewAt scene c d of
+  Tangent _ _ front -> Meets front
+  Ending Back front -> Meets front
+  _ -> Solid
+
+-- | The view of a corner. /Requires/ what 'viewFrom' does. /Cost/ O(n).
+viewAt :: Scene -> CornerId -> Direction -> View Object
+viewAt = viewFrom . raysIn
 
 -- | All edges by brute force: each corner's vertices cut the half turn into intervals, and one ray each way tells the
 -- view in each.

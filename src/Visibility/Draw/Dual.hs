@@ -13,7 +13,6 @@ module Visibility.Draw.Dual
   , frameUnit
   , frameFor
   , onCanvas
-  , offCanvas
   ) where
 
 import Data.List (foldl', sortOn)
@@ -194,15 +193,6 @@ onCanvas frame (theta, u) =
   Place
     (left + (right - left) * (theta / pi + 0.5))
     (bottom + (top - bottom) * (u - frameLow frame) / (frameHigh frame - frameLow frame))
-  where
-    Box left bottom right top = plot
-
--- | (θ, u) of a place: undoes 'onCanvas', up to rounding.
-offCanvas :: Frame -> Place -> (Double, Double)
-offCanvas frame (Place x y) =
-  ( pi * ((x - left) / (right - left) - 0.5)
-  , frameLow frame + (frameHigh frame - frameLow frame) * (y - bottom) / (top - bottom)
-  )
   where
     Box left bottom right top = plot
 

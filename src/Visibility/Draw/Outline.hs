@@ -8,6 +8,7 @@ module Visibility.Draw.Outline
   , limitLines
   ) where
 
+import Data.Function (on)
 import Data.List (sortBy)
 import Visibility.Draw.Drawing hiding (Region)
 import Visibility.Draw.Scale (directionAngle)
@@ -28,33 +29,14 @@ inFront (Direction nx ny) =
     rightmost = Direction ny (negate nx)
     leftmost = Direction (negate ny) nx
     ahead (Sight from _ _) = sameDirection from rightmost || directionTurn rightmost from == LeftTurn
-    rightFirst (Sight a _ _) (Sight b _ _)
-      | sameDirection a b = EQ
-      | sameDirection a rightmost = LT
-      | sameDirection b rightmost = GT
-      | directionTurn a b == LeftTurn = LT
-      | otherwise = GT
+    rightFirst = compareFrom rightmost `on` sightFrom
 
 -- | A sight cut where it contains a direction inside.
 cutAt :: Direction -> Sight -> [Sight]
 cutAt d sight@(Sight from to object)
-  | aroundFrom from d to == LT = [Sight from d object, Sight d to object]
+  | not (sameDirection from d) && (sameDirection from to || compareFrom from d to == LT) =
+    [Sight from d object, Sight d to object]
   | otherwise = [sight]
-
--- | Order of two directions by how far one has to turn left to them from a third, by more than 0° and up to 360°.
-aroundFrom :: Direction -> Direction -> Direction -> Ordering
-aroundFrom start a b = case compare (quarter a) (quarter b) of
-  EQ -> case directionTurn a b of
-    LeftTurn -> LT
-    Collinear -> EQ
-    RightTurn -> GT
-  order -> order
-  where
-    quarter :: Direction -> Int
-    quarter d = case directionTurn start d of
-      LeftTurn -> 0
-      Collinear -> if sameDirection start d then 3 else 1
-      RightTurn -> 2
 
 -- | A piece of the boundary of the region that is seen from a point.
 data Piece
@@ -87,7 +69,7 @@ boundary q (Region points unbounded) = case points of
     neighbours = zip points (drop 1 points <> take 1 points)
     -- Next to a viewpoint that is no corner, since the region ends there in a straight line, it is a line that counts.
     closeness opening = if any (joins along opening) neighbours then along else through
-    joins on (from, to) (x, y) = on q from x && on q to y
+    joins lies (from, to) (x, y) = lies q from x && lies q to y
 
 -- | Is a point on the ray, or on the line, from the viewpoint?
 along, through :: Point -> Direction -> Point -> Bool
@@ -134,10 +116,6 @@ isLimit piece = case piece of
   OnSide _ _ -> False
   OnSight _ _ -> True
   Beyond _ from to _ -> not (sameDirection from to)
-
--- | Are two directions the same?
-sameDirection :: Direction -> Direction -> Bool
-sameDirection a b = directionTurn a b == Collinear && dot (vector a) (vector b) > 0
 
 -- | The border of a box from where one ray of a place leaves it, counter-clockwise to where another does.
 boxArc :: Box -> Place -> Direction -> Direction -> [Place]

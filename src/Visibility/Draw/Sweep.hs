@@ -17,8 +17,9 @@ import Visibility.Draw.Figure
 import Visibility.Draw.Legend
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery hiding (heading)
-import Visibility.Exact.Point
+import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Scene
+import Visibility.Sight (rayMeets)
 import Visibility.Sweep.Reference
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (Heading (..))
@@ -51,16 +52,11 @@ moments scene = first : unfoldr onwards first
 sweepDrawing :: Scene -> Int -> Moment -> Drawing
 sweepDrawing scene total (Moment count vertex state) =
   planeDrawing scene $
-    Plane
+    scenePlane
       { planeTitle = titleAfter "Sweep" scene
       , planeAbout = "The horizon trees of the topological sweep: "
       , planeFacts = facts
       , planeEntries = entries
-      , planePoints = []
-      , planeNaming = Corners
-      , planeBar = Nothing
-      , planeRoom = 0
-      , planeBelow = []
       , planeSheets = \frame ->
           [ Sheet Crossable "swept" Sparse [lineMark frame SweptLine v | Just v <- [vertex]]
           , Sheet Crossable "ready" Sparse (map (lineMark frame ReadyLine) ready)
@@ -112,7 +108,7 @@ treeMarks scene frame state tree =
       (Leftward, True) -> NewLeftTreeEdge
     end p target = case target of
       ToCorner q -> placeOf scene frame q
-      ToCeiling s -> placeOfPoint scene frame (ceilingPoint scene p s)
+      ToCeiling s -> placeOfPoint scene frame (rayMeets scene (cornerPoint scene p) (Direction 0 1) s)
       ToSky -> let Place x _ = placeOf scene frame p in Place x (if heading tree == Rightward then high else low)
     Box _ low _ high = frameOutside frame
 
@@ -124,16 +120,6 @@ beside (Place ax ay) (Place bx by)
   where
     long = sqrt ((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
     (dx, dy) = (1.3 * (bx - ax) / long, 1.3 * (by - ay) / long)
-
--- | The point of a side that is straight above or below a corner.
---
--- /Requires/ a side that is not vertical, as no ceiling is.
-ceilingPoint :: Scene -> CornerId -> SideId -> Point
-ceilingPoint scene p s = Point x (ay + (by - ay) * (x - ax) / (bx - ax))
-  where
-    Point x _ = cornerPoint scene p
-    Point ax ay = cornerPoint scene (sideStart s)
-    Point bx by = cornerPoint scene (sideEnd scene s)
 
 -- | One change of a tree, in words.
 changeText :: Scene -> Change -> Text

@@ -23,6 +23,7 @@ import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
 import Visibility.Exact.Rounding
+import Visibility.Mesh.Span (parameterOn)
 import Visibility.Scene
 import Visibility.Sight
 
@@ -126,23 +127,12 @@ piecesNamed scene = fromMaybe [] . piecesOf scene
 seenPieces :: Scene -> ViewFigure -> [(SideId, Double, Double)]
 seenPieces scene figure = case figure of
   ElementFigure q normal sights _ ->
-    [ (side, fromRational a, fromRational b)
+    [ (side, landing from, landing to)
     | Sight from to (Side side) <- concat (inFront normal (joined sights))
-    , Just a <- [landing scene q from side]
-    , Just b <- [landing scene q to side]
+    , let ends = (cornerPoint scene (sideStart side), cornerPoint scene (sideEnd scene side))
+    , let landing ray = fromRational (parameterOn ends (rayMeets scene q ray side))
     ]
   _ -> []
-
--- | Where the line through a point meets that of a side, as a position on the side; nowhere if they are parallel.
-landing :: Scene -> Point -> Direction -> SideId -> Maybe Rational
-landing scene (Point qx qy) (Direction dx dy) side
-  | across == 0 = Nothing
-  | otherwise = Just (((qx - ax) * y - (qy - ay) * x) / across)
-  where
-    Point ax ay = cornerPoint scene (sideStart side)
-    Point bx by = cornerPoint scene (sideEnd scene side)
-    (x, y) = (fromInteger dx, fromInteger dy)
-    across = (bx - ax) * y - (by - ay) * x
 
 -- | The viewpoint, and the normal of an element.
 viewpointMarks :: Scene -> Frame -> ViewFigure -> [Mark]

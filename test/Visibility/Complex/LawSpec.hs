@@ -20,6 +20,7 @@ import Visibility.Exact.RootSum (fromTerms)
 import Visibility.Format.File (readSceneFile)
 import Visibility.Law
 import Visibility.Ray
+import Visibility.Test.Ray
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Test.Generator

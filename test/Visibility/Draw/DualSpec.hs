@@ -144,3 +144,9 @@ readDecimal text = case break (== 'e') text of
     natural digits
       | not (null digits), all (`elem` ['0' .. '9']) digits = Just (read digits :: Integer)
       | otherwise = Nothing
+
+-- | (θ, u) of a place: undoes 'onCanvas', up to rounding.
+offCanvas :: Frame -> Place -> (Double, Double)
+offCanvas frame (Place x y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0))
+  where
+    (Place x0 y0, Place x1 y1) = (onCanvas frame (0, 0), onCanvas frame (1, 1))

@@ -2,8 +2,8 @@ module Visibility.Draw.NearSpec (spec) where
 
 import Test.Hspec
 import Test.QuickCheck
+import Visibility.Draw.Band
 import Visibility.Draw.Drawing
-import Visibility.Draw.Near
 
 spec :: Spec
 spec = describe "what is near" $ do

@@ -9,7 +9,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
 import Visibility.Exact.Point (coordinates)
 import Visibility.Exact.Predicate
-import Visibility.Ray
+import Visibility.Test.Ray
 import Visibility.Scene
 import Visibility.Sweep (Vertex, isDegenerate, vertexPairs)
 import Visibility.Sweep.Reference

@@ -7,6 +7,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck
 import Visibility.Exact.Predicate
 import Visibility.Ray
+import Visibility.Test.Ray
 import Visibility.Scene
 import Visibility.Sweep
 import Visibility.Sweep.Vertical
