@@ -16,14 +16,7 @@ module Run
   ) where
 
 import Control.Exception
-  ( IOException
-  , SomeAsyncException
-  , SomeException
-  , displayException
-  , evaluate
-  , fromException
-  , handleJust
-  )
+  (IOException, SomeAsyncException, SomeException, displayException, evaluate, fromException, handleJust)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.ByteString.Builder (Builder, hPutBuilder, stringUtf8, toLazyByteString)

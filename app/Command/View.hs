@@ -51,35 +51,25 @@ data Sighting
 -- | Looks from somewhere in a scene and tells it. A place that is not in the scene, or in the solid, is wrong usage.
 seeing :: Common -> From -> (Builder -> IO ()) -> (Scene -> Sighting -> Builder) -> IO ()
 seeing common from write document = withScene common $ \scene ->
-  case placed scene from of
-    Left problem -> refuse problem
-    Right looking -> sweeping common scene $ \swept ->
-      either refuse (write . document scene) (looked scene looking swept)
+  either refuse (\look -> sweeping common scene (either refuse (write . document scene) . look)) (looking scene from)
   where
     refuse problem = complain [problem] >> ends WrongUsage
 
--- | A place in the scene, with the normal of an element there.
-data Looking = LookingFrom !Viewpoint !(Maybe Direction) | LookingFromSide !SideName
-
-placed :: Scene -> From -> Either String Looking
-placed scene from = case from of
-  FromPoint point normal -> Right (LookingFrom (AtPoint point) normal)
+-- | What is seen from somewhere, once the scene is swept.
+looking :: Scene -> From -> Either String ([Vertex] -> Either String Sighting)
+looking scene from = case from of
+  FromPoint point normal -> Right (around (AtPoint point) normal)
   FromCorner name normal ->
-    maybe (missing "corner" (cornerText name)) (Right . (`LookingFrom` normal) . AtCorner name) (statedPoint scene name)
-  FromSide name -> maybe (missing "side" (sideText name)) (const (Right (LookingFromSide name))) (piecesOf scene name)
+    maybe (missing "corner" (cornerText name)) (Right . (`around` normal) . AtCorner name) (statedPoint scene name)
+  FromSide name -> maybe (missing "side" (sideText name)) (const (Right (along name))) (piecesOf scene name)
   where
     missing what name =
       Left ("--" <> what <> " " <> name <> ": the scene has no such " <> what <> "; give one such as " <> anyName)
     anyName = concatMap (cornerText . fst) (take 1 (statedCorners scene))
-
-looked :: Scene -> Looking -> [Vertex] -> Either String Sighting
-looked scene looking swept = case looking of
-  LookingFromSide side -> Right (SeenBySide side (concat (sees complex side)))
-  LookingFrom viewpoint normal -> case lookAround complex viewpoint of
-    Left solid -> Left (inSolid solid)
-    Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))
-  where
-    complex = build scene swept
+    along side swept = Right (SeenBySide side (concat (sees (build scene swept) side)))
+    around viewpoint normal swept = case lookAround (build scene swept) viewpoint of
+      Left solid -> Left (inSolid solid)
+      Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))
     inSolid Enclosure = "--from: the point lies outside the enclosure; give one inside it"
     inSolid polygon =
       "--from: the point lies inside polygon " <> polygonText polygon <> "; give one in free space or on a boundary"

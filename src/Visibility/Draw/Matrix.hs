@@ -6,6 +6,7 @@ module Visibility.Draw.Matrix
   , Group (..)
   , matrixDrawing
   , factorMatrix
+  , elementMatrix
   , withSky
   ) where
 
@@ -26,6 +27,7 @@ import Visibility.Draw.Scale
 import Visibility.Draw.Scenery (canvasWidth, sideMargin)
 import Visibility.Draw.Values
 import Visibility.FormFactor (FactorRow (..))
+import Visibility.Mesh.Element
 import Visibility.Scene
 
 -- | A matrix whose rows and columns are things in groups: sides by polygons, or elements by sides.
@@ -75,6 +77,31 @@ factorMatrix scene factors =
       , let name = Text.pack (polygonText p)
       ]
     byPolygon = Map.fromListWith (flip (<>)) [(p, [side]) | side@(SideName p _) <- statedSides scene]
+
+-- | The matrix of the form factors of elements, by the sides that they are on, which are parts of polygons.
+--
+-- /Laws/ those of 'factorMatrix'.
+elementMatrix :: Refined -> [FactorRow Double] -> Matrix Seen
+elementMatrix cut rows =
+  (factorMatrix scene rows)
+    { matrixTitle = "Form factors of the elements of " <> fromMaybe "an untitled scene" (sceneTitle scene)
+    , matrixThings = "elements"
+    , matrixGroups = "sides"
+    , matrixRows = sidesOfFile
+    , matrixColumns = withSky scene sidesOfFile
+    , matrixName = nameOf
+    }
+  where
+    scene = refinedScene cut
+    sidesOfFile =
+      [ Group (Text.pack (sideText side)) (Text.pack (polygonText polygon)) (map TheSide members)
+      | (side@(SideName polygon _), members) <- Map.toList bySide
+      ]
+    bySide = Map.fromListWith (flip (<>)) [(elementSide e, [elementIn e]) | e <- refinedElements cut]
+    names = elementNames cut
+    nameOf seen = Text.pack $ case seen of
+      TheSide name -> names name
+      TheSky -> seenText TheSky
 
 -- | Columns with one for the sky where there is one.
 withSky :: Scene -> [Group Seen] -> [Group Seen]

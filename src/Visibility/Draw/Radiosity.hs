@@ -4,6 +4,7 @@
 module Visibility.Draw.Radiosity
   ( RadiosityFigure (..)
   , LitElement (..)
+  , lightFigure
   , radiosityDrawing
   ) where
 
@@ -23,10 +24,12 @@ import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
 import Visibility.Draw.Values
 import Visibility.Exact.Point (Point)
-import Visibility.Exact.RootSum (asRational, enclosureRelative)
+import Visibility.Exact.RootSum (asRational, enclosureRelative, rational)
 import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor (sideLength)
+import Visibility.Mesh.Element
 import Visibility.Mesh.Span (parameterOn)
+import Visibility.Radiosity (Lit (..), Radiosity (..))
 import Visibility.Scene
 import Visibility.Scene.Raw (Material (..))
 
@@ -52,6 +55,32 @@ data LitElement = LitElement
   , litValue :: !Double
   }
   deriving (Eq, Show)
+
+-- | The radiosities of elements, each the Double nearest to the middle of its bounds, with profiles along some sides.
+--
+-- /Degenerate cases/ where all are too small for Doubles, or some too large, they are in units that the figure names.
+lightFigure :: Scaling -> [SideName] -> Refined -> Radiosity -> RadiosityFigure
+lightFigure scaling profiles cut found =
+  RadiosityFigure
+    { radiosityQuantity = "radiosity" <> unitText
+    , radiosityScaling = scaling
+    , radiosityProfiles = profiles
+    , radiosityElements = map lit (litElements found)
+    }
+  where
+    lit l =
+      LitElement
+        { litSide = elementSide (litElement l)
+        , litFrom = elementFrom (litElement l)
+        , litTo = elementTo (litElement l)
+        , litEnds = elementEnds cut (litElement l)
+        , litValue = nearestDouble (rational (middle l / unit))
+        }
+    middle l = let (low, high) = litRadiosity l in (low + high) / 2
+    greatest = maximum (0 : map middle (litElements found))
+    (unit, unitText)
+      | greatest == 0 || (1e-300 < greatest && greatest < 1e300) = (1, "")
+      | otherwise = let step = roundStep greatest in (step, " in units of " <> decimalText step)
 
 -- | The scene to scale, 800 pixels wide, with the elements as bands beside their sides in free space, brighter where
 -- there is more light; below it a panel for each profile.

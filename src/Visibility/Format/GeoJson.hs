@@ -204,9 +204,8 @@ lineAt Standing path document = outlineAt lineWall path document
 lineAt Enclosing path document = outlineAt lineWall path document <* wrong path EnclosureWall
 
 outlineAt :: ([Point] -> Either OutlineFault RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
-outlineAt outline path document = case value document of
-  List items -> eachItem positionAt path items `andThen` (either (wrong path . BadOutline) Good . outline)
-  other -> wrongKind path other WantedPositions
+outlineAt outline path document =
+  listOf WantedPositions positionAt path document `andThen` (either (wrong path . BadOutline) Good . outline)
 
 -- What stands behind x and y, an altitude as a rule, has no meaning in the plane.
 positionAt :: JsonPath -> Document -> Checked Point

@@ -51,7 +51,7 @@ sceneAt path document = case value document of
                 <*> traverse (uncurry enclosureAt) (member "enclosure")
                 <*> maybe
                   (wrong path (MissingKey ("polygons" :| []) WantedPolygons))
-                  (uncurry polygonsAt)
+                  (uncurry (listOf WantedPolygons polygonAt))
                   (member "polygons")
              )
   other -> wrongKind path other WantedScene
@@ -61,11 +61,6 @@ formatAt path document = case value document of
   String "viscomplex/1" -> Good ()
   other -> wrongKind path other WantedFormat
 
-polygonsAt :: JsonPath -> Document -> Checked [RawPolygon]
-polygonsAt path document = case value document of
-  List items -> eachItem polygonAt path items
-  other -> wrongKind path other WantedPolygons
-
 -- | An enclosure has corners only; an obstacle may be stated as a wall instead.
 enclosureAt, polygonAt :: JsonPath -> Document -> Checked RawPolygon
 enclosureAt = shapeAt WantedEnclosure (("corners", rawPolygon) :| [])
@@ -74,10 +69,10 @@ polygonAt = shapeAt WantedPolygon (("corners", rawPolygon) :| [("wall", rawWall)
 -- | A polygon that gives its corners under one of these keys, which say how they are joined; or a list of corners.
 shapeAt :: Wanted -> NonEmpty (Text, [Point] -> RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
 shapeAt wanted forms path document = case value document of
-  List items -> rawPolygon <$> eachItem cornerAt path items
+  List _ -> rawPolygon <$> listOf wanted cornerAt path document
   Object members ->
     let member = memberOf path members
-        given = [(key, made <$> cornersAt at corners) | (key, made) <- toList forms, Just (at, corners) <- [member key]]
+        given = [(key, made <$> listOf WantedCorners cornerAt at corners) | (key, made) <- toList forms, Just (at, corners) <- [member key]]
      in checkedKeys path (["name"] <> map fst (toList forms) <> ["emission", "reflectivity", "sides"]) members
           *> ( described
                 <$> traverse (uncurry stringAt) (member "name")
@@ -92,11 +87,6 @@ shapeAt wanted forms path document = case value document of
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
   other -> wrongKind path other wanted
-
-cornersAt :: JsonPath -> Document -> Checked [Point]
-cornersAt path document = case value document of
-  List items -> eachItem cornerAt path items
-  other -> wrongKind path other WantedCorners
 
 cornerAt :: JsonPath -> Document -> Checked Point
 cornerAt path document = case value document of

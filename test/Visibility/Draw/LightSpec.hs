@@ -11,7 +11,6 @@ import Test.QuickCheck
 import Visibility.Draw.Checks
 import Visibility.Draw.Drawing
 import Visibility.Draw.Gallery
-import Visibility.Draw.Light
 import Visibility.Draw.Matrix
 import Visibility.Draw.Radiosity
 import Visibility.Draw.Values (Scaling (..))

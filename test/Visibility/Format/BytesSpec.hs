@@ -4,7 +4,7 @@ import qualified Data.ByteString.Char8 as Chars
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
-import Visibility.Format.Bytes
+import Visibility.Format.Utf8
 
 spec :: Spec
 spec = describe "charAt" $

@@ -10,7 +10,7 @@ module Visibility.Format.Json.Shape
     -- * Values
   , stringAt
   , numberAt
-  , eachItem
+  , listOf
     -- * Members
   , memberOf
   , checkedKeys
@@ -69,10 +69,12 @@ numberAt path document = case value document of
   where
     number = either (wrong path . BadNumber (found (value document))) Good
 
--- | All items of a list, whose path is given.
-eachItem :: (JsonPath -> Document -> Checked a) -> JsonPath -> [Document] -> Checked [a]
-eachItem itemAt path = eachOf (itemAt . Item path)
-{-# INLINE eachItem #-}
+-- | All items of a list.
+listOf :: Wanted -> (JsonPath -> Document -> Checked a) -> JsonPath -> Document -> Checked [a]
+listOf wanted itemAt path document = case value document of
+  List items -> eachOf (itemAt . Item path) items
+  other -> wrongKind path other wanted
+{-# INLINE listOf #-}
 
 -- | A member of the object at the path, with its own path. Of several, the first.
 memberOf :: JsonPath -> [(Text, Document)] -> Text -> Maybe (JsonPath, Document)

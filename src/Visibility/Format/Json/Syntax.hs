@@ -30,7 +30,6 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Word (Word64)
 import Visibility.Error (Expected (..), SyntaxFault (..), TextPosition (..))
-import Visibility.Format.Bytes
 import Visibility.Format.Utf8
 
 -- | A JSON value: text that has been checked, and the place of the value's first byte.
