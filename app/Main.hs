@@ -2,9 +2,8 @@
 module Main (main) where
 
 import Command.Draw
-import Command.Mesh (runMesh)
+import Command.Elements (runMesh, runRadiosity)
 import Command.Query
-import Command.Radiosity (runRadiosity)
 import Command.View (runView)
 import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options

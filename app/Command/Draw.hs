@@ -3,8 +3,7 @@ module Command.Draw
   ( runDraw
   ) where
 
-import Command.Mesh (divided, meshed)
-import Command.Radiosity (solved)
+import Command.Elements (divided, meshed, solved)
 import Command.View (runDrawView)
 import Data.ByteString.Builder (lazyByteString)
 import Options

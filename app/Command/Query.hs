@@ -8,7 +8,7 @@ module Command.Query
   , runGenerate
   ) where
 
-import Command.Mesh (divided)
+import Command.Elements (divided)
 import Control.Monad (unless)
 import Data.ByteString.Builder (string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)

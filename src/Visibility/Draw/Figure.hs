@@ -163,7 +163,8 @@ polygonSheet scene frame = Sheet Solid "polygons" (polygonDensity scene) (polygo
 -- | The figure to scale, 800 pixels wide.
 --
 -- Layers, from the bottom: @outside@ and @room@ of an enclosure; the figure's own; @leaders@ and @labels@; what stands
--- below the caption; @bar@; @legend@.
+-- below the caption; @bar@; @legend@. Up to 40 corners are
+-- labelled; where there are more, the polygons are numbered that have room for it.
 --
 -- /Degenerate cases/ corners that are nearer to each other than what is seen are counted in the caption, see
 -- 'mergedFact'.

@@ -25,17 +25,15 @@ data CastingLines = WithLines | WithoutLines
 
 -- | The scene drawn to scale, 800 pixels wide, with a mesh.
 --
--- Layers, from the bottom: @outside@ and @room@ of an enclosure; @lines@, for each caster the part of its line from the
--- break point to the farther corner, named by its corners, @2.1 3.0@; @polygons@, named as in output; @breaks@, a short
--- line into free space at each break point, longer and darker at shadow limits, named by side and parameter, @0.0 1/6@;
--- @flat-corners@, dots; @leaders@, @labels@; @legend@. Labels are those of the figure of the scene.
+-- Layers, from the bottom: @lines@, for each caster the part of its line from the break point to the farther corner,
+-- named by its corners, @2.1 3.0@; @polygons@, named as in output; @breaks@, a short line into free space at each break
+-- point, longer and darker at shadow limits, named by side and parameter, @0.0 1/6@; @flat-corners@, dots.
 --
 -- /Degenerate cases/ break points of a thin wall are drawn on the face that they are on.
 --
 -- /Cost/ that of the marks, besides labels.
 --
--- /Laws/ every break point has exactly one mark, every caster one line; no label covers a line, an outline or another
--- label.
+-- /Laws/ those of 'planeDrawing'; every break point has exactly one mark, every caster one line.
 meshDrawing :: CastingLines -> Mesh -> Drawing
 meshDrawing wanted mesh =
   planeDrawing scene $

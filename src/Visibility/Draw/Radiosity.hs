@@ -85,9 +85,8 @@ lightFigure scaling profiles cut found =
 -- | The scene to scale, 800 pixels wide, with the elements as bands beside their sides in free space, brighter where
 -- there is more light; below it a panel for each profile.
 --
--- Layers, from the bottom: @outside@ and @room@ of an enclosure; @bands@, named by their sides; @edges@, the outlines
--- of bands; @polygons@, named as in output; @lights@, rays at the sides that give light; @leaders@, @labels@ of
--- polygons and of the sides with profiles; of the profiles @areas@, @profiles@, @axes@, @ticks@; @bar@ and @legend@.
+-- Layers, from the bottom: @bands@, named by their sides; @edges@, the outlines of bands; @polygons@, named as in
+-- output; @lights@, rays at the sides that give light; of the profiles @areas@, @profiles@, @axes@, @ticks@.
 --
 -- A linear scale ends at the greatest value of what gives no light of its own; light sources have the brightest colour.
 --
@@ -98,8 +97,8 @@ lightFigure scaling profiles cut found =
 --
 -- /Requires/ elements of the scene's sides. /Cost/ that of 'stripsOf', and O(m log n) for m elements, besides labels.
 --
--- /Laws/ bands do not cross into the solid; a larger value is not darker; every polygon has exactly one mark; no label
--- covers anything; nothing leaves the canvas.
+-- /Laws/ those of 'planeDrawing'; bands do not cross into the solid; a larger value is not darker; every polygon has
+-- exactly one mark.
 radiosityDrawing :: Scene -> RadiosityFigure -> Drawing
 radiosityDrawing scene figure =
   planeDrawing scene $

@@ -19,17 +19,16 @@ import Visibility.View
 
 -- | The scene drawn to scale, 800 pixels wide.
 --
--- Layers, from the bottom: @outside@ and @room@ of an enclosure; @bitangents@, named @0.1 2.3@; @polygons@, named as
--- in output; @lights@, named by their sides; @flat-corners@, dots; @leaders@, @labels@; @legend@. Up to 40 corners are
--- labelled; where there are more, the polygons are numbered that have room for it.
+-- Layers, from the bottom: @bitangents@, named @0.1 2.3@; @polygons@, named as in output; @lights@, named by their
+-- sides; @flat-corners@, dots.
 --
 -- /Degenerate cases/ a scene without height or width is drawn on a strip. The light of a thin wall is drawn on the
 -- face that gives it.
 --
 -- /Requires/ all vertices of the scene, in any order. /Cost/ O(m log m), besides labels.
 --
--- /Laws/ the order of the vertices makes no difference; every polygon and every free bitangent has exactly one mark;
--- no label covers a line, an outline or another label.
+-- /Laws/ those of 'planeDrawing'; the order of the vertices makes no difference; every polygon and every free bitangent
+-- has exactly one mark.
 sceneDrawing :: Scene -> [Vertex] -> Drawing
 sceneDrawing scene vertices =
   planeDrawing scene $

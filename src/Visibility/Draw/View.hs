@@ -38,19 +38,18 @@ data ViewFigure
 
 -- | The scene to scale, 800 pixels wide, with what is seen.
 --
--- Layers, from the bottom: @outside@ and @room@ of an enclosure; @region@, what a point sees, cut off at the figure's
--- margin where it reaches the sky; @limits@, the lines of sight that bound the region; @polygons@, named as in output;
--- @seen@, the seen sides or pieces of sides, and the side that sees, named by their sides; @flat-corners@, dots;
--- @viewpoint@; @leaders@, @labels@; @legend@. A region comes with the labels of the figure of the scene, form factors
--- with labels of the sides that are seen most.
+-- Layers, from the bottom: @region@, what a point sees, cut off at the figure's margin where it reaches the sky;
+-- @limits@, the lines of sight that bound the region; @polygons@, named as in output; @seen@, the seen sides or pieces
+-- of sides, and the side that sees, named by their sides; @flat-corners@, dots; @viewpoint@. A region comes with the
+-- labels of the figure of the scene, form factors with labels of the sides that are seen most.
 --
 -- /Degenerate cases/ a viewpoint beyond the scene is within the figure, which shows the scene smaller. The face of a
 -- thin wall that is seen lies beside it.
 --
 -- /Requires/ of an element: its sights counter-clockwise. /Cost/ that of the marks, besides labels.
 --
--- /Laws/ every polygon has exactly one mark; every side with a form factor has one mark in a figure of a side; no label
--- covers a line, an outline or another label; nothing leaves the canvas.
+-- /Laws/ those of 'planeDrawing'; every polygon has exactly one mark; every side with a form factor has one mark in a
+-- figure of a side.
 viewDrawing :: Scene -> ViewFigure -> Drawing
 viewDrawing scene figure =
   planeDrawing scene $
@@ -83,26 +82,21 @@ viewpointOf figure = case figure of
   ElementFigure q _ _ _ -> [q]
   SideFigure _ _ -> []
 
--- | The boundaries of what is seen from a point: of an element, of what is in front of it, which is in two parts where
--- it stands at a corner.
-boundariesOf :: Scene -> ViewFigure -> [[Piece]]
+-- | The boundaries of what is seen from a point, with that point: of an element, of what is in front of it, which is in
+-- two parts where it stands at a corner.
+boundariesOf :: Scene -> ViewFigure -> [(Point, [Piece])]
 boundariesOf scene figure = case figure of
-  RegionFigure q seen -> [boundary q seen]
-  ElementFigure q normal sights _ -> map (boundary q . region scene q) (inFront normal sights)
+  RegionFigure q seen -> [(q, boundary q seen)]
+  ElementFigure q normal sights _ -> [(q, boundary q (region scene q front)) | front <- inFront normal sights]
   SideFigure _ _ -> []
 
 -- | The seen region, and the lines of sight that bound it.
 regionMarks :: Scene -> Frame -> ViewFigure -> ([Mark], [Mark])
 regionMarks scene frame figure =
-  ( [plain SeenRegion (Drawing.Region (outlinePlaces box place q pieces)) | q <- viewpoints, pieces <- boundaries]
-  , [ plain SightLimit (Polyline [a, b])
-    | q <- viewpoints
-    , pieces <- boundaries
-    , (a, b) <- limitLines box place q pieces
-    ]
+  ( [plain SeenRegion (Drawing.Region (outlinePlaces box place q pieces)) | (q, pieces) <- boundaries]
+  , [plain SightLimit (Polyline [a, b]) | (q, pieces) <- boundaries, (a, b) <- limitLines box place q pieces]
   )
   where
-    viewpoints = viewpointOf figure
     boundaries = boundariesOf scene figure
     box = frameOutside frame
     place = placeOfPoint scene frame
@@ -232,7 +226,7 @@ factsOf figure = case figure of
 entriesOf :: Scene -> ViewFigure -> [Entry]
 entriesOf scene figure =
   [Entry (regionSwatch SeenRegion) "seen region" | not (null boundaries)]
-    <> [Entry (lineSwatch [SightLimit]) "limit of sight" | any (any isLimit) boundaries]
+    <> [Entry (lineSwatch [SightLimit]) "limit of sight" | any (any isLimit . snd) boundaries]
     <> case figure of
       RegionFigure _ _ -> [viewpoint]
       ElementFigure {} -> [seenSide | seesSide] <> [viewpoint, Entry arrowSwatch "normal"]

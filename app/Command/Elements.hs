@@ -1,19 +1,42 @@
--- | The command that solves for radiosity.
-module Command.Radiosity
-  ( runRadiosity
+-- | Commands on the elements of sides: mesh and radiosity.
+module Command.Elements
+  ( runMesh
+  , meshed
+  , divided
+  , runRadiosity
   , solved
   ) where
 
-import Command.Mesh (divided)
 import Data.Maybe (fromMaybe)
 import Options
-import Run (complain, ends, measuring, printed, withScene)
+import Run (complain, ends, measuring, printed, sweeping, withScene)
 import Visibility.Error (Outcome (..))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (decimal, defaultDigits, digits, outwardDecimals)
+import Visibility.Format.Mesh (meshDocument)
 import Visibility.Format.Radiosity (radiosityDocument)
-import Visibility.Mesh (Refined, refinedScene)
+import Visibility.Mesh
 import Visibility.Radiosity
+import Visibility.Scene (Scene)
+
+-- | The break points of all sides, as JSON.
+runMesh :: Common -> MeshOptions -> IO ()
+runMesh common options = withScene common $ \scene -> meshed common options scene (\kept -> printed . meshDocument kept)
+
+-- | Works on the elements asked for and the scene in which they are the sides.
+divided :: Common -> Elements -> Scene -> (Refined -> IO ()) -> IO ()
+divided common wanted scene work = case wanted of
+  WholeSides -> work (unrefined scene)
+  ElementsOf options -> meshed common options scene (\kept _ -> work (refined kept))
+
+-- | Works on the mesh asked for, and on what was dropped of it.
+meshed :: Common -> MeshOptions -> Scene -> (Mesh -> Mesh -> IO ()) -> IO ()
+meshed common options scene work = case meshBreaks options of
+  AllBreaks -> sweeping common scene (within . discontinuityMesh scene)
+  OnlyShadowLimits -> sweeping common scene (within . shadowLimits . discontinuityMesh scene)
+  Uniform parts -> within (uniformMesh parts scene)
+  where
+    within mesh = uncurry work (maybe (mesh, emptyMesh scene) (`bounded` mesh) (mostElements options))
 
 -- | Radiosities with their bounds; or how close bounds can be, where they cannot be as close as asked.
 runRadiosity :: Common -> RadiosityOptions -> IO ()
