@@ -14,8 +14,6 @@ import Visibility.Scene.Type (Scene)
 import Visibility.Scene.Type hiding
   ( Scene (Scene)
   , assemble
-  , facedSides
-  , namingCorners
   , piecesBySide
   , sceneOn
   , sceneStated

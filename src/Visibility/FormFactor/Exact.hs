@@ -98,7 +98,7 @@ seenByRank scene = V.fromList (map TheSide (statedSides scene) <> [TheSky])
 
 -- | By object: the rank of the side of the file that it is, or is a piece of; the sky last.
 ranks :: Scene -> U.Vector Int
-ranks scene = U.snoc (U.map fromIntegral (sideRanks scene)) (length (statedSides scene))
+ranks scene = U.snoc (U.map fromIntegral (facedSides scene)) (length (statedSides scene))
 
 -- | A form factor that is not exactly zero. Shown as @\<0.1 to 1.3: 0.4142136\>@, rounded.
 data FormFactor = FormFactor

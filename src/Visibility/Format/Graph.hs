@@ -77,7 +77,7 @@ pairKeys scene names selection = case selection of
     named (a, b) = pairOf (rankOf names a) (rankOf names b)
     -- Where no places are shared, each corner has one name.
     direct p q = let a = ranks `U.unsafeIndex` p; b = ranks `U.unsafeIndex` q in pairOf (min a b) (max a b)
-    ranks = U.map fromIntegral (cornerRanks scene)
+    ranks = U.map fromIntegral (namingCorners scene)
 
 -- | The texts of all corners of the file, in order, each with a space after it, and 'slack' behind them; where each
 -- begins and the last ends; and by polygon, the enclosure last, the rank of its corner 0.

@@ -16,6 +16,7 @@ module Visibility.Scene.Boxes
   ) where
 
 import Control.Monad.ST (ST, runST)
+import Data.List (foldl')
 import Data.Ord (comparing)
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
@@ -95,36 +96,15 @@ at :: U.Vector (Int, Int, Int, Int) -> Int -> Box
 at table i = let (l, r, b, t) = table U.! i in Box l r b t
 {-# INLINE at #-}
 
--- | Combines all pairs of different boxes that overlap, each pair once, in no promised order.
+-- | Combines all pairs of different boxes that overlap, each pair once, the lesser index first, in no promised order.
 --
 -- /Cost/ O(n log n + k) for k pairs when few boxes overlap others far away in the tree; O(n²) at worst.
 foldOverlaps :: (a -> Int -> Int -> a) -> a -> BoxTree -> a
-foldOverlaps combine start (BoxTree order table root) = within start root
+foldOverlaps combine start tree@(BoxTree order table _) = foldl' with start [0 .. U.length order - 1]
   where
-    within !acc (Halves _ a b) = across (within (within acc a) b) a b
-    within !acc (Slice _ from to) = pairs acc from
+    with acc k = foldBoxes (boxesOverlap (at table k)) (\acc' j -> if i < j then combine acc' i j else acc') acc tree
       where
-        pairs !acc' i
-          | i >= to = acc'
-          | otherwise = pairs (against (at table i) (order U.! i) acc' (i + 1) to) (i + 1)
-    across !acc a b
-      | not (boxesOverlap (groupBox a) (groupBox b)) = acc
-      | otherwise = case (a, b) of
-          (Slice _ from to, Slice box' from' to') -> slices acc from to box' from' to'
-          (Halves _ a1 a2, Slice {}) -> across (across acc a1 b) a2 b
-          (Slice {}, Halves _ b1 b2) -> across (across acc a b1) a b2
-          (Halves _ a1 a2, Halves _ b1 b2) ->
-            across (across (across (across acc a1 b1) a1 b2) a2 b1) a2 b2
-    slices !acc i to box' from' to'
-      | i >= to = acc
-      | boxesOverlap box box' = slices (against box (order U.! i) acc from' to') (i + 1) to box' from' to'
-      | otherwise = slices acc (i + 1) to box' from' to'
-      where
-        box = at table i
-    against box i !acc j to
-      | j >= to = acc
-      | boxesOverlap box (at table j) = against box i (combine acc i (order U.! j)) (j + 1) to
-      | otherwise = against box i acc (j + 1) to
+        i = order U.! k
 {-# INLINE foldOverlaps #-}
 
 -- | Combines all boxes with a property, in no promised order.

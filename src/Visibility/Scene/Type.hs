@@ -28,7 +28,6 @@ module Visibility.Scene.Type
   , cornerName
   , namesHere
   , cornersNamed
-  , cornerRanks
   , polygonSizes
   , statedPoint
     -- * Sides
@@ -39,7 +38,6 @@ module Visibility.Scene.Type
     -- ** Their names
   , sideName
   , statedSides
-  , sideRanks
   , piecesOf
   , sideSpan
   , sideEnds
@@ -101,9 +99,9 @@ data Scene = Scene
   , statedPlaceNumbers :: !(U.Vector Int32)
   -- ^ By stated corner, the number of its place.
   , namingCorners :: !(U.Vector Int32)
-  -- ^ The stated corner that gives a corner its name.
+  -- ^ The stated corner that gives a corner its name, by its place in 'statedCorners'.
   , facedSides :: !(U.Vector Int32)
-  -- ^ The stated side that begins at a corner, or of which a piece does.
+  -- ^ The stated side that begins at a corner, or of which a piece does, by its place in 'statedSides'.
   , statedByPlace :: Buckets
   -- ^ The stated corners in each place. Made when it is first needed, as is the next one.
   , piecesBySide :: Buckets
@@ -281,10 +279,6 @@ cornersNamed scene name = cornersIn <$> statedNumber (sceneStated scene) name
     places = placeNumbers scene
     n = cornerCount scene
 
--- | By corner, the place of its name in 'statedCorners'.
-cornerRanks :: Scene -> U.Vector Int32
-cornerRanks = namingCorners
-
 -- | All polygons of the file, the enclosure last, each with the number of its corners.
 polygonSizes :: Scene -> [(PolygonId, Int)]
 polygonSizes scene = zip (V.toList (statedIds stated)) (zipWith (-) (drop 1 firsts) firsts)
@@ -330,10 +324,6 @@ statedSides :: Scene -> [SideName]
 statedSides scene = map (statedSideName stated) [0 .. statedSideTotal stated - 1]
   where
     stated = sceneStated scene
-
--- | By side, the place in 'statedSides' of its name.
-sideRanks :: Scene -> U.Vector Int32
-sideRanks = facedSides
 
 -- | What is not covered of a side of the file: the side itself, or pieces of it, or nothing; 'Nothing' if the file has
 -- no such side.
