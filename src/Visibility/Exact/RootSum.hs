@@ -292,10 +292,12 @@ merged s = foldr (\(n, c) rest -> Term n c rest) zero (mergedTerms [(c, prepared
 --
 -- /Laws/ terms as those of @'merged' ('fromTerms' [(c % d, n), …])@ but for the representatives of classes, which may
 -- differ where radicands cancel.
-mergedSum :: Integer -> [(Integer, PreparedRoot)] -> RootSum
-mergedSum divisor found = foldr (\(n, c) rest -> Term n (part c) rest) zero (mergedTerms found)
+mergedSum :: Integral a => Integer -> [(Integer, PreparedRoot a)] -> RootSum
+mergedSum divisor found = foldr (\(n, c) rest -> Term (toInteger n) (part c) rest) zero (mergedTerms found)
   where
     part c = if divisor == 1 then fromInteger c else c % divisor
+{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Int)] -> RootSum #-}
+{-# SPECIALISE mergedSum :: Integer -> [(Integer, PreparedRoot Integer)] -> RootSum #-}
 
 -- | The rational number that a sum is, if it is one.
 --

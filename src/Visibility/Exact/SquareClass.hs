@@ -1,4 +1,5 @@
--- | Square classes of positive integers, and sums of square roots with one term for each class.
+-- |
+-- Square classes of positive integers, and sums of square roots with one term for each class.
 --
 -- Two roots √a and √b are rational multiples of each other if and only if a·b is a perfect square; a and b are then in
 -- one square class. No integer is ever factored: classes are told apart by their images in ℚ₂, ℚ₃, …, ℚ₄₇, and compared
@@ -11,50 +12,53 @@ module Visibility.Exact.SquareClass
   ) where
 
 import Control.Monad (guard)
-import Data.Bits (popCount, shiftL, shiftR, testBit, (.&.))
+import Data.Bits (Bits, popCount, shiftL, shiftR, unsafeShiftR, (.&.))
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', sortBy)
 import Data.Ord (comparing)
 import Visibility.Exact.IntegerRoot
 
 -- | The root of a positive integer, ready to be summed: what is found out about it alone.
-data PreparedRoot = PreparedRoot
+data PreparedRoot a = PreparedRoot
   { classKey :: !Int
   -- ^ The classes of the integer in ℚₚ modulo squares, for all primes up to 47: equal for equal square classes. 0 for
   -- perfect squares.
-  , rootFactor :: !Integer
+  , rootFactor :: !a
   -- ^ The root of the squares of those primes that have left the radicand.
-  , radicand :: !Integer
+  , radicand :: !a
   -- ^ What is left of the integer.
   }
 
--- | /Requires/ a positive integer.
-preparedRoot :: Integer -> PreparedRoot
-preparedRoot n = foldl' (oddStep (fromInteger (n `rem` oddPrimesProduct))) twoAdic oddPrimes
+-- | /Requires/ a positive integer. Machine integers do where it is one.
+preparedRoot :: (Integral a, Bits a) => a -> PreparedRoot a
+preparedRoot n = foldl' (oddStep (fromIntegral (n `rem` fromInteger oddPrimesProduct))) twoAdic oddPrimes
   where
     v = popCount ((n .&. negate n) - 1)
-    unit = fromInteger ((n `shiftR` v) .&. 7) `quot` 2
+    unit = fromIntegral ((n `shiftR` v) .&. 7) `quot` 2
     twoAdic = PreparedRoot (4 * (v `rem` 2) + unit) (1 `shiftL` (v `quot` 2)) (n `shiftR` (2 * (v `quot` 2)))
+{-# SPECIALISE preparedRoot :: Int -> PreparedRoot Int #-}
+{-# SPECIALISE preparedRoot :: Integer -> PreparedRoot Integer #-}
 
-oddStep :: Int -> PreparedRoot -> OddPrime -> PreparedRoot
+oddStep :: Integral a => Int -> PreparedRoot a -> OddPrime -> PreparedRoot a
 oddStep residue (PreparedRoot key s m) (OddPrime p squares)
   | r /= 0 = PreparedRoot (4 * key + symbol r) s m
   | otherwise = PreparedRoot (4 * key + 2 * (v `rem` 2) + symbol unit) (s * power) (m `quot` (power * power))
   where
     r = residue `rem` p
-    symbol a = if testBit squares a then 0 else 1
+    symbol a = 1 - (squares `unsafeShiftR` a) .&. 1
     -- The exponent of p in m, and the residue of what is left.
     (v, unit) = valuation (0 :: Int) m
-    power = toInteger p ^ (v `quot` 2)
-    valuation k a = case a `quotRem` toInteger p of
+    power = fromIntegral p ^ (v `quot` 2)
+    valuation k a = case a `quotRem` fromIntegral p of
       (q, 0) -> valuation (k + 1) q
-      (_, b) -> (k, fromInteger b)
+      (_, b) -> (k, fromIntegral b)
+{-# INLINE oddStep #-}
 
 -- | A prime, and the set of the residues of squares as bits.
-data OddPrime = OddPrime !Int !Integer
+data OddPrime = OddPrime !Int !Int
 
 oddPrimes :: [OddPrime]
-oddPrimes = [OddPrime p (squareResidues p) | p <- [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47]]
+oddPrimes = [OddPrime p (fromInteger (squareResidues p)) | p <- [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47]]
 
 -- | Less than 2⁵⁹.
 oddPrimesProduct :: Integer
@@ -65,17 +69,17 @@ oddPrimesProduct = product [toInteger p | OddPrime p _ <- oddPrimes]
 --
 -- /Cost/ for t terms O(t log t), a greatest common divisor and two integer square roots for each term that shares its
 -- class. Only terms of one 'classKey' are tested against each other.
-mergedTerms :: (Eq c, Num c) => [(c, PreparedRoot)] -> [(Integer, c)]
+mergedTerms :: (Integral a, Eq c, Num c) => [(c, PreparedRoot a)] -> [(a, c)]
 mergedTerms found = sortBy (comparing fst) (concatMap oneTermPerClass (IntMap.toList buckets))
   where
     buckets = IntMap.fromListWith (<>) [(key, [Term m (multiplied k c)]) | (c, PreparedRoot key k m) <- found]
 {-# INLINABLE mergedTerms #-}
 
 -- | c √n, the radicand first.
-data Term c = Term !Integer !c
+data Term a c = Term !a !c
 
 -- | The terms of one bucket, merged.
-oneTermPerClass :: (Eq c, Num c) => (Int, [Term c]) -> [(Integer, c)]
+oneTermPerClass :: (Integral a, Eq c, Num c) => (Int, [Term a c]) -> [(a, c)]
 oneTermPerClass (key, bucket) = case bucket of
   [Term m c] | key /= 0 -> [(m, c) | c /= 0]
   _ -> [(g, c) | (g, members) <- foldl' enter start bucket, let c = classCoefficient g members, c /= 0]
@@ -84,35 +88,37 @@ oneTermPerClass (key, bucket) = case bucket of
     start = [(1, []) | key == 0]
 {-# INLINABLE oneTermPerClass #-}
 
-type SquareClass c = (Integer, [Term c])
+type SquareClass a c = (a, [Term a c])
 
-enter :: [SquareClass c] -> Term c -> [SquareClass c]
+enter :: Integral a => [SquareClass a c] -> Term a c -> [SquareClass a c]
 enter classes term@(Term n _) = go classes
   where
     go [] = [(n, [term])]
     go (known@(g, members) : others) = case commonRadicand g n of
       Just h -> (h, term : members) : others
       Nothing -> known : go others
+{-# INLINABLE enter #-}
 
 -- | The greatest common divisor of two radicands if they are in one square class: the cofactors, coprime, are then
 -- both squares.
-commonRadicand :: Integer -> Integer -> Maybe Integer
+commonRadicand :: Integral a => a -> a -> Maybe a
 commonRadicand a b | a == b = Just a
 commonRadicand a b = do
   let g = gcd a b
-  guard (isSquare (a `quot` g) && isSquare (b `quot` g))
+  guard (isSquare (toInteger (a `quot` g)) && isSquare (toInteger (b `quot` g)))
   Just g
+{-# INLINABLE commonRadicand #-}
 
 -- | The coefficient of √g, g a common radicand of all members.
-classCoefficient :: Num c => Integer -> [Term c] -> c
+classCoefficient :: (Integral a, Num c) => a -> [Term a c] -> c
 classCoefficient g members =
   balancedSum
-    [if n == g then c else multiplied (integerSquareRoot (n `quot` g)) c | Term n c <- members]
+    [if n == g then c else multiplied (integerSquareRoot (toInteger (n `quot` g))) c | Term n c <- members]
 {-# INLINABLE classCoefficient #-}
 
 -- | The same number so many times.
-multiplied :: Num c => Integer -> c -> c
-multiplied k c = if k == 1 then c else fromInteger k * c
+multiplied :: (Integral a, Num c) => a -> c -> c
+multiplied k c = if k == 1 then c else fromIntegral k * c
 {-# INLINE multiplied #-}
 
 -- | Adds neighbours first: unrelated denominators then cost far less than one by one.

@@ -27,6 +27,10 @@ spec = do
     it "has no square of a small prime in its radicand" $
       property $ forAll (positive 200) $ \n ->
         let PreparedRoot _ _ m = preparedRoot n in [p | p <- smallPrimes, m `rem` (p * p) == 0] === []
+    it "is the same in machine integers, to the largest" $
+      property $ forAll (oneof [positive 63, pure (2 ^ (63 :: Int) - 1), pure (2 ^ (62 :: Int))]) $ \n ->
+        let PreparedRoot key k m = preparedRoot n
+         in prepared (fromInteger n) === (key, k, m)
     it "loses the squares of just the small primes" $
       [n | p <- [2 .. 60], let PreparedRoot _ _ n = preparedRoot (p * p * 61 :: Integer), (n == 61) == (p `elem` [53, 59])]
         `shouldBe` []
@@ -48,6 +52,10 @@ spec = do
       property $ forAll ((,) <$> sublistOf smallPrimes <*> sublistOf smallPrimes) $ \(ps, qs) ->
         (classKey (preparedRoot (product ps)) == classKey (preparedRoot (product qs))) === (ps == qs)
   describe "merged terms" $ do
+    it "are the same in machine integers" $
+      property $ forAll someTerms $ \found ->
+        [(toInteger n, c) | (n, c) <- mergedTerms [(c, preparedRoot (fromInteger n :: Int)) | (c, n) <- found]]
+          === mergedTerms [(c, preparedRoot n) | (c, n) <- found]
     it "have rising radicands, each once, and no zero coefficient" $
       property $ forAll someTerms $ \found ->
         let made = mergedTerms [(c, preparedRoot n) | (c, n) <- found]
@@ -62,8 +70,10 @@ spec = do
           (concat [[(2 * c, preparedRoot n), (negate c, preparedRoot (4 * n))] | (c, n) <- found])
           === ([] :: [(Integer, Integer)])
     it "of a lone square of a large prime is a multiple of 1" $
-      mergedTerms [(3 :: Integer, preparedRoot (53 * 53))] `shouldBe` [(1, 159)]
+      mergedTerms [(3 :: Integer, preparedRoot (53 * 53 :: Int))] `shouldBe` [(1, 159)]
   where
+    prepared :: Int -> (Int, Integer, Integer)
+    prepared n = let PreparedRoot key k m = preparedRoot n in (key, toInteger k, toInteger m)
     strictly ns = ns == sort ns && and (zipWith (/=) ns (drop 1 ns))
     orElse found other = maybe (property other) property found
 
