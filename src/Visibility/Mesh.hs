@@ -11,8 +11,6 @@ module Visibility.Mesh
     -- * Making them
   , discontinuityMesh
   , uniformMesh
-    -- * More break points
-  , meshUnion
     -- * Fewer break points
   , shadowLimits
   , bounded
@@ -35,7 +33,6 @@ import Visibility.Mesh.Span
 import Visibility.Mesh.Type (Mesh)
 import Visibility.Mesh.Type hiding (Mesh (..), selected)
 import qualified Visibility.Mesh.Type as Inside
-import Visibility.Mesh.Union
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 

@@ -6,6 +6,7 @@ import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import qualified Data.Set as Set
 import System.Directory (listDirectory)
+import Report.Union (meshUnion)
 import System.FilePath (takeExtension, (</>))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

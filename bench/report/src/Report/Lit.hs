@@ -20,6 +20,7 @@ import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import qualified Data.Text as Text
 import Report.Scenes
+import Report.Union (meshUnion)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.Rounding (nearestDouble)
 import Visibility.FormFactor (measuresInPieces, sideLength)

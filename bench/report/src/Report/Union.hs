@@ -1,5 +1,5 @@
 -- | The break points of two meshes.
-module Visibility.Mesh.Union
+module Report.Union
   ( meshUnion
   ) where
 
