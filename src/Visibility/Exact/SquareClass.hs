@@ -12,7 +12,7 @@ module Visibility.Exact.SquareClass
   ) where
 
 import Control.Monad (guard)
-import Data.Bits (Bits, popCount, shiftL, shiftR, unsafeShiftR, (.&.))
+import Data.Bits (Bits, popCount, shiftL, shiftR, (.&.))
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', sortBy)
 import Data.Ord (comparing)
@@ -45,7 +45,7 @@ oddStep residue (PreparedRoot key s m) (OddPrime p squares)
   | otherwise = PreparedRoot (4 * key + 2 * (v `rem` 2) + symbol unit) (s * power) (m `quot` (power * power))
   where
     r = residue `rem` p
-    symbol a = 1 - (squares `unsafeShiftR` a) .&. 1
+    symbol a = 1 - (squares `shiftR` a) .&. 1
     -- The exponent of p in m, and the residue of what is left.
     (v, unit) = valuation (0 :: Int) m
     power = fromIntegral p ^ (v `quot` 2)

@@ -92,7 +92,7 @@ piecewise scene sights piece = do
     put !used !object !near !far !free
       | object == solid || object == sky = pure used
       | otherwise = do
-          M.unsafeWrite items used (fromIntegral object, fromIntegral near, fromIntegral far, free)
+          M.write items used (fromIntegral object, fromIntegral near, fromIntegral far, free)
           pure (used + 1 :: Int)
   used <- go 0 (pieceVertices piece)
   U.freeze (M.take used items)

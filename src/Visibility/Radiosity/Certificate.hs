@@ -11,7 +11,7 @@ module Visibility.Radiosity.Certificate
   , enclosureFrom
   ) where
 
-import Control.Monad (foldM, forM_)
+import Control.Monad (foldM)
 import Control.Monad.ST (runST)
 import Data.Bits (shiftL, shiftR)
 import Data.List (foldl')
@@ -136,19 +136,17 @@ lightErrors system sizes
           | otherwise = pure 0
         tighten !total i
           | systemLit system U.! i = do
-              old <- M.unsafeRead v i
+              old <- M.read v i
               t <- light i
               let new = min old ((r U.! i + gain U.! i * t) * above)
-              M.unsafeWrite v i new
+              M.write v i new
               pure (total + new)
           | otherwise = pure total
         go !count !before = do
           now <- foldM tighten 0 [0 .. n - 1]
           if now > 0.99 * before || count >= mostTightenings then pure () else go (count + 1) now
       go (1 :: Int) (0x1p1000 :: Double)
-      t <- M.new n
-      forM_ [0 .. n - 1] $ \i -> light i >>= M.unsafeWrite t i
-      U.unsafeFreeze t
+      U.generateM n light
     inUnits t
       | t == 0 = 0
       | otherwise =

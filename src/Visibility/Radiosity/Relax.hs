@@ -56,8 +56,8 @@ rowDot matrix x i = go (rowStarts matrix U.! i) 0
     go !k !total
       | k == end = pure total
       | otherwise = do
-          value <- M.unsafeRead x (fromIntegral (columns matrix `U.unsafeIndex` k))
-          go (k + 1) (total + factorDoubles matrix `U.unsafeIndex` k * value)
+          value <- M.read x (fromIntegral (columns matrix U.! k))
+          go (k + 1) (total + factorDoubles matrix U.! k * value)
 {-# INLINE rowDot #-}
 
 -- | A solution as far as it was looked for, and how often the matrix was gone through.
@@ -91,10 +91,10 @@ relax system known goal b = runST $ do
     start isLit gain y = if isLit then y + min 1 gain * balanced else 0
     improve x (!change, !largest) i
       | systemLit system U.! i = do
-          old <- M.unsafeRead x i
+          old <- M.read x i
           light <- rowDot matrix x i
           let new = b U.! i + gains known U.! i * light
-          M.unsafeWrite x i new
+          M.write x i new
           pure (max change (abs (new - old)), max largest (abs new))
       | otherwise = pure (change, largest)
 

@@ -11,7 +11,8 @@
 -- The text is checked once from end to end. From then on a value is the place in the text that it begins at: brackets
 -- and quotes tell where it ends. So a document takes no memory beside its text, and a list is passed over in the time
 -- that its text takes; a walk through all of a document reads each byte about once for every bracket around it, which
--- are no more than 'deepest'.
+-- are no more than 'deepest'. Read into a tree instead, 3 000 quadrilaterals take 1.24 times the memory in @info@, and
+-- 30 000 take 1.37 times in @graph@.
 module Visibility.Format.Json.Syntax
   ( Document
   , parseDocument
