@@ -68,9 +68,10 @@ spec = do
             frame = frameFor scene (events scene (vertices scene))
          in conjoin
               [ counterexample (show (mark, c)) (abs (u - curve scene frame c theta) < 1e-9)
-              | mark <- marksIn "vertices" (drawn scene)
+              | let drawing = drawn scene
+              , mark <- marksIn "vertices" drawing
               , Dot place <- [markShape mark]
-              , let (theta, u) = offCanvas frame place
+              , let (theta, u) = offCanvas drawing frame place
               , c <- namedCorners scene (markName mark)
               ]
     it "no label covers anything, and nothing leaves the canvas" $
@@ -81,9 +82,10 @@ spec = do
       property $ \(AnyScene s) ->
         let scene = sampleScene s
             frame = frameFor scene (events scene (vertices scene))
-            stated = [text | Mark _ TickLabel (Label EndAnchor _ text) <- marksIn "frame" (drawn scene)]
-            ys = [y | Mark _ Tick (Polyline [Place _ y, Place _ y']) <- marksIn "frame" (drawn scene), y == y']
-         in length stated >= 3 .&&. stated === mapMaybe (\y -> nearestTick frame y stated) ys
+            drawing = drawn scene
+            stated = [text | Mark _ TickLabel (Label EndAnchor _ text) <- marksIn "frame" drawing]
+            ys = [y | Mark _ Tick (Polyline [Place _ y, Place _ y']) <- marksIn "frame" drawing, y == y']
+         in length stated >= 3 .&&. stated === mapMaybe (\y -> nearestTick drawing frame y stated) ys
     it "of a distant scene count from a point in it, which is named" $ do
       case displaced (10 ^ (40 :: Int)) (snd (head' goldenScenes)) of
         Left problems -> expectationFailure (show problems)
@@ -109,11 +111,12 @@ spec = do
             && length (filter (any (`elem` owners)) (placeGroups scene)) == 1
             && and (zipWith (<=) (map fst points) (drop 1 (map fst points)))
         | layer <- ["ending", "tangent"]
-        , mark@(Mark _ _ (Polyline places)) <- marksIn layer (drawn scene)
-        , let points = map (offCanvas frame) places
+        , mark@(Mark _ _ (Polyline places)) <- marksIn layer drawing
+        , let points = map (offCanvas drawing frame) places
         , let owners = namedCorners scene (markName mark)
         ]
       where
+        drawing = drawn scene
         frame = frameFor scene (events scene (vertices scene))
     -- From the file's coordinates, exactly but for the last steps.
     curve scene frame c theta = near (y - oy) * cos theta - near (x - ox) * sin theta
@@ -122,8 +125,8 @@ spec = do
         Point ox oy = frameOrigin frame
         near v = fromRational (v / frameUnit frame) :: Double
     -- The statement among those given that belongs to a height on the canvas.
-    nearestTick frame y texts =
-      let (_, u) = offCanvas frame (Place 100 y)
+    nearestTick drawing frame y texts =
+      let (_, u) = offCanvas drawing frame (Place 100 y)
        in case [text | text <- texts, Just v <- [readDecimal (Text.unpack text)], isAt u (v / frameUnit frame)] of
             [text] -> Just text
             _ -> Nothing
@@ -145,8 +148,10 @@ readDecimal text = case break (== 'e') text of
       | not (null digits), all (`elem` ['0' .. '9']) digits = Just (read digits :: Integer)
       | otherwise = Nothing
 
--- | (θ, u) of a place: undoes 'onCanvas', up to rounding.
-offCanvas :: Frame -> Place -> (Double, Double)
-offCanvas frame (Place x y) = ((x - x0) / (x1 - x0), (y - y0) / (y1 - y0))
+-- | (θ, u) of a place in the drawing: undoes 'onCanvas', up to rounding. A drawing with a longer caption is higher, and
+-- all else stands higher in it by as much.
+offCanvas :: Drawing -> Frame -> Place -> (Double, Double)
+offCanvas drawing frame (Place x y) = ((x - x0) / (x1 - x0), (y - lift - y0) / (y1 - y0))
   where
+    lift = drawingHeight drawing - 580
     (Place x0 y0, Place x1 y1) = (onCanvas frame (0, 0), onCanvas frame (1, 1))

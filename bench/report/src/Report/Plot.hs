@@ -84,7 +84,8 @@ plotDrawing plot =
     (left, gap) = case plotUpwards plot of
       Names names -> (maximum (78 : map ((+ 24) . textWidth TickLabel) names), 12)
       _ -> (78, 6)
-    right = width - 24
+    -- Half of the last number stands beyond its tick.
+    right = width - maximum (24 : [textWidth TickLabel text / 2 + 6 | (_, text) <- take 1 (reverse (ticks across))])
     legendLeft = 24
     legendWidth = width - legendLeft - 12
     entries = map entry (plotSeries plot)
