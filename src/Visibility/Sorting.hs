@@ -6,7 +6,7 @@ module Visibility.Sorting
   , denseRanks
   , firstWhere
     -- * Buckets
-  , Buckets
+  , Buckets (..)
   , bucketsBy
   , bucketOf
   , bucketSlice
@@ -22,6 +22,7 @@ import Data.Int (Int32)
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Algorithms.Radix as Radix
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 
 -- | The items in the order of a part of them, from 0 to just below the bound; items that agree in it keep their order.
 --
@@ -65,7 +66,8 @@ firstWhere holds low high
 -- | Items by number in buckets by number: where those of each bucket begin and end, and all of them.
 data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)
 
--- | The items by their buckets, which are numbered from 0 to just below a bound; in each one in their own order.
+-- | The items by their buckets, which are numbered from 0 to just below a bound; in each one in their own order. Those
+-- of a negative bucket are left out.
 --
 -- /Cost/ O(m + n) for m items and a bound n.
 --
@@ -73,9 +75,16 @@ data Buckets = Buckets !(U.Vector Int32) !(U.Vector Int32)
 bucketsBy :: Int -> U.Vector Int32 -> Buckets
 bucketsBy bound owners = Buckets starts members
   where
-    members = U.map fromIntegral (sortedBy bound owner (U.enumFromN 0 (U.length owners)))
-    owner item = fromIntegral (owners U.! item)
-    starts = U.scanl' (+) 0 (U.accumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owners))
+    starts = U.scanl' (+) 0 (U.accumulate (+) (U.replicate bound 0) (U.map (\o -> (fromIntegral o, 1)) owned))
+    owned = U.filter (>= 0) owners
+    members = U.create $ do
+      places <- U.thaw starts
+      table <- M.new (U.length owned)
+      U.forM_ (U.filter ((>= 0) . snd) (U.indexed owners)) $ \(item, o) -> do
+        place <- M.read places (fromIntegral o)
+        M.write table (fromIntegral place) (fromIntegral item)
+        M.write places (fromIntegral o) (place + 1)
+      pure table
 
 -- | The items in a bucket.
 bucketOf :: Buckets -> Int -> [Int]

@@ -37,26 +37,11 @@ laws = wellFormed : others
 
 others :: [Law Complex]
 others =
-  [ vertexStretches
-  , cornerLinks
-  , cornerDirections
-  , cornersOnLine
-  , pairsSee
-  , sweptVertices
-  , solidEnds
-  , degrees
-  , stretchLabels
-  , incidence
-  , boundedChains
-  , outerChain
-  , pairFaces
-  , counts
-  , positiveMeasures
-  , summedMeasures
-  , closedMeasures
-  , raysConfirm
-  , sections
-  ]
+  [vertexStretches, cornerLinks, cornerDirections, cornersOnLine, pairsSee, sweptVertices]
+    <> localLaws
+    <> faceLaws
+    <> measureLaws
+    <> [raysConfirm, sections]
 
 -- | Each law, now of anything, with what violates it in a complex: first the laws of the complex, then, if they all
 -- hold, those of its complex of polygons. If the tables are not well formed, this law alone.

@@ -119,13 +119,9 @@ data Complex = Complex
   , faceLasts :: !(Table FaceId (Maybe VertexId))
   , faceBacks :: !(Table FaceId Object)
   , faceFronts :: !(Table FaceId Object)
-  , upperStarts :: !(Table FaceId Int)
-  -- ^ The upper chain of face f is in 'chains' from entry f on, below entry f of 'lowerStarts'.
-  , lowerStarts :: !(Table FaceId Int)
-  -- ^ The lower chain of face f is in 'chains' from entry f on, below entry f + 1 of 'upperStarts'.
-  , upperTurns :: !(Table FaceId Int)
-  -- ^ Where in 'chains' the part of the upper chain begins that lies after the end of the half turn.
-  , lowerTurns :: !(Table FaceId Int)
+  , chainStarts :: !(Table Int Int)
+  -- ^ Where parts of chains begin in 'chains', from entry 4f on those of face f: of its upper chain, then of the lower
+  -- one, each before and after the end of the half turn. The last entry is the length of 'chains'.
   , chains :: !(Table Int EdgeId)
   }
 
@@ -358,17 +354,15 @@ data Chain = Chain ![EdgeId] ![EdgeId]
 
 -- | The stretches that bound a face from above, from its first vertex to its last one.
 upperChain :: Complex -> FaceId -> Chain
-upperChain complex f =
-  chainFrom complex (at (upperStarts complex) f) (at (upperTurns complex) f) (at (lowerStarts complex) f)
+upperChain complex (FaceId f) = chainFrom complex (4 * f)
 
 -- | The stretches that bound a face from below, from its first vertex to its last one. The chain of the lines that miss
 -- everything is closed: it goes around all corners in a full turn.
 lowerChain :: Complex -> FaceId -> Chain
-lowerChain complex f@(FaceId i) =
-  chainFrom complex (at (lowerStarts complex) f) (at (lowerTurns complex) f) (at (upperStarts complex) (FaceId (i + 1)))
+lowerChain complex (FaceId f) = chainFrom complex (4 * f + 2)
 
--- From where it begins, where it turns, and where it ends in 'chains'.
-chainFrom :: Complex -> Int -> Int -> Int -> Chain
-chainFrom complex start turnAt end = Chain (entries start turnAt) (entries turnAt end)
+-- By the number of its first part in 'chainStarts'.
+chainFrom :: Complex -> Int -> Chain
+chainFrom complex i = Chain (part i) (part (i + 1))
   where
-    entries from to = map (at (chains complex)) [from .. to - 1]
+    part k = map (at (chains complex)) [at (chainStarts complex) k .. at (chainStarts complex) (k + 1) - 1]

@@ -10,7 +10,7 @@ module Visibility.Complex.Walk
 
 import Data.Function (on)
 import Data.List (sortBy)
-import Data.Maybe (fromMaybe, isNothing)
+import Data.Maybe (fromMaybe, isNothing, mapMaybe)
 import Visibility.Complex.Locate
 import Visibility.Complex.Reading (Reading (..))
 import Visibility.Complex.Table
@@ -119,13 +119,14 @@ walk complex eye piece start = case start of
   where
     outermost = fromMaybe (broken "a point beside everything is under the sky" (show piece)) (outerFace complex)
 
-    go from face reading = case earliest (crossing Above) (crossing Below) of
-      Nothing -> [stepTo upwards]
-      Just (Exit to next side)
+    go from face reading = case sortBy (compareDirections `on` towards) (mapMaybe crossing [Above, Below]) of
+      [] -> [stepTo upwards]
+      Exit to next side : _
         | not (isBefore from to) -> broken "a curve leaves a face after it has entered it" (show (from, to, face))
         | compareDirections to upwards == EQ -> [stepTo upwards]
         | otherwise -> stepTo to : go to next (readingAt to next side)
       where
+        towards (Exit to _ _) = to
         stepTo to = case reading of
           Forwards -> Step from to (faceBack complex face) (faceFront complex face)
           Backwards -> Step from to (faceFront complex face) (faceBack complex face)
@@ -134,16 +135,11 @@ walk complex eye piece start = case start of
     -- How a face is read just after a direction; the last argument says it of the lines that miss everything.
     readingAt from face side = case faceFirst complex face of
       Nothing -> side
-      Just v -> if isBefore from (edgeFrom complex (leftmostEdge complex v)) then Backwards else Forwards
+      Just v -> if isBefore from (edgeFrom complex (at (vertexStarts complex) v)) then Backwards else Forwards
 
 -- | Where the curve of a point leaves a face: the direction, the face in which it goes on, and how that is read if it
 -- is the face of the lines that miss everything.
 data Exit = Exit !Direction !FaceId !Reading
-
-earliest :: Maybe Exit -> Maybe Exit -> Maybe Exit
-earliest (Just a@(Exit from _ _)) (Just b@(Exit to _ _)) = Just (if compareDirections from to == GT then b else a)
-earliest (Just a) Nothing = Just a
-earliest Nothing b = b
 
 -- | −90°, where the half turn begins.
 downwards :: Direction
@@ -160,7 +156,11 @@ leaving complex eye piece face reading from flank
   | place >= high = Nothing
   | (index c < rank) == (flank == Above) = Nothing
   | atVertex = Just (pastVertex complex eye piece to (edgeLast complex e))
-  | otherwise = Just (pastCorner complex to e (if place < low then Backwards else Forwards) flank)
+  | otherwise = Just $ case (flank, place < low) of
+      (Above, False) -> newFace complex to e AboveBack Forwards
+      (Above, True) -> newFace complex to e BelowFront Forwards
+      (Below, False) -> newFace complex to e BelowFront Backwards
+      (Below, True) -> newFace complex to e AboveBack Backwards
   where
     scene = complexScene complex
     rank = eyeRank eye
@@ -185,20 +185,18 @@ leaving complex eye piece face reading from flank
 -- | The part of a face's boundary above or below its lines in one reading: where it is in 'chains', and where the
 -- stretch is that goes on into this half turn from before its beginning, if there is one.
 boundary :: Complex -> FaceId -> Reading -> Flank -> (Maybe Int, Int, Int)
-boundary complex face@(FaceId f) reading flank = case (reading, flank) of
-  (Forwards, Above) -> (lastIn turnUpper startLower `orNone` isOuter, startUpper, turnUpper)
-  (Forwards, Below) -> (lastIn turnLower end `orNone` isOuter, startLower, turnLower)
-  (Backwards, Above) -> (lastIn startLower turnLower, turnLower, end)
-  (Backwards, Below) -> (lastIn startUpper turnUpper, turnUpper, startLower)
+boundary complex face@(FaceId f) reading flank = (earlier, start own, start (own + 1))
   where
-    startUpper = at (upperStarts complex) face
-    turnUpper = at (upperTurns complex) face
-    startLower = at (lowerStarts complex) face
-    turnLower = at (lowerTurns complex) face
-    end = at (upperStarts complex) (FaceId (f + 1))
-    lastIn from to = if to > from then Just (to - 1) else Nothing
-    isOuter = isNothing (faceFirst complex face)
-    orNone found allowed = if allowed then found else Nothing
+    own = case (reading, flank) of
+      (Forwards, Above) -> 4 * f
+      (Forwards, Below) -> 4 * f + 2
+      (Backwards, Above) -> 4 * f + 3
+      (Backwards, Below) -> 4 * f + 1
+    -- The other part of the chain, that of the half turn before.
+    other = if reading == Forwards then own + 1 else own - 1
+    isRead = reading == Backwards || isNothing (faceFirst complex face)
+    earlier = if isRead && start (other + 1) > start other then Just (start (other + 1) - 1) else Nothing
+    start = at (chainStarts complex)
 
 -- | Where the curve of a point goes on after a vertex that the point is in line with.
 --
@@ -230,19 +228,8 @@ pastVertex complex eye piece to v = case (before, after) of
     atLeft i = newFace complex to (EdgeId i) AboveBack Forwards
     atRight i = newFace complex to (EdgeId i) BelowFront Backwards
 
--- | Where the curve of a point goes on after it has crossed a stretch, read in one way, from below its curve or from
--- above.
-pastCorner :: Complex -> Direction -> EdgeId -> Reading -> Flank -> Exit
-pastCorner complex to e reading flank = case (flank, reading) of
-  (Above, Forwards) -> newFace complex to e AboveBack Forwards
-  (Above, Backwards) -> newFace complex to e BelowFront Forwards
-  (Below, Forwards) -> newFace complex to e BelowFront Backwards
-  (Below, Backwards) -> newFace complex to e AboveBack Backwards
-
+-- | Where it goes on in the face on a quarter of a stretch.
 newFace :: Complex -> Direction -> EdgeId -> Quarter -> Reading -> Exit
 newFace complex to e quarter reading = case faceAt complex e quarter of
   Just face -> Exit to face reading
   Nothing -> broken "a free ray is in a face" (show (e, quarter))
-
-leftmostEdge :: Complex -> VertexId -> EdgeId
-leftmostEdge = at . vertexStarts

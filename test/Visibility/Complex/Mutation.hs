@@ -51,10 +51,7 @@ allTables =
   , column "faceLasts" faceLasts (\t c -> c {faceLasts = t}) (\c -> (-1, vertexTotal c - 1))
   , column "faceBacks" faceBacks (\t c -> c {faceBacks = t}) (\c -> (0, objectTotal c - 1))
   , column "faceFronts" faceFronts (\t c -> c {faceFronts = t}) (\c -> (0, objectTotal c - 1))
-  , column "upperStarts" upperStarts (\t c -> c {upperStarts = t}) (\c -> (0, tableLength (chains c)))
-  , column "lowerStarts" lowerStarts (\t c -> c {lowerStarts = t}) (\c -> (0, tableLength (chains c)))
-  , column "upperTurns" upperTurns (\t c -> c {upperTurns = t}) (\c -> (0, tableLength (chains c)))
-  , column "lowerTurns" lowerTurns (\t c -> c {lowerTurns = t}) (\c -> (0, tableLength (chains c)))
+  , column "chainStarts" chainStarts (\t c -> c {chainStarts = t}) (\c -> (0, tableLength (chains c)))
   , column "chains" chains (\t c -> c {chains = t}) (\c -> (0, stretchTotal c - 1))
   ]
 
@@ -88,7 +85,7 @@ mutations =
   , Mutation "a table without its last entry" "the tables are well formed" $ \c ->
       [withTable table (U.init (tableOf table c)) c | table <- allTables, not (U.null (tableOf table c))]
   , Mutation "a chain that ends before it begins" "the tables are well formed" $ \c ->
-      [c {lowerStarts = swapped i (i + 1) (lowerStarts c)} | i <- [0 .. faceTotal c - 2]]
+      [c {chainStarts = swapped (4 * f + 2) (4 * f + 6) (chainStarts c)} | f <- [0 .. faceTotal c - 2]]
   , Mutation "a stretch that names another vertex" "a stretch begins at its vertex" $ \c ->
       [ c {stretchVertices = changed e v (stretchVertices c)}
       | e <- stretchesIn c
@@ -295,14 +292,9 @@ chainParts c =
 withChainParts :: [[[Int]]] -> Complex -> Complex
 withChainParts parts c =
   c
-    { upperStarts = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 0])
-    , upperTurns = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 1])
-    , lowerStarts = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 2])
-    , lowerTurns = Table (U.fromList [x | (i, x) <- zip [0 :: Int ..] bounds, i `mod` 4 == 3])
+    { chainStarts = Table (U.fromList (map fromIntegral (scanl (+) 0 (map length (concat parts)))))
     , chains = Table (U.fromList (map fromIntegral (concat (concat parts))))
     }
-  where
-    bounds = map fromIntegral (scanl (+) 0 (map length (concat parts))) :: [Int32]
 
 -- | The complex with other chains of one face.
 inFace :: Int -> ([[Int]] -> [[Int]]) -> Complex -> Complex

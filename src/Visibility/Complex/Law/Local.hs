@@ -1,8 +1,6 @@
 -- | The laws of the complex around one stretch or one vertex.
 module Visibility.Complex.Law.Local
-  ( solidEnds
-  , degrees
-  , stretchLabels
+  ( localLaws
   , raysConfirm
     -- * Samples
   , samplesOf
@@ -10,6 +8,7 @@ module Visibility.Complex.Law.Local
 
 import Data.List (nub)
 import Data.Maybe (isJust)
+import Data.Tuple (swap)
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Reading
 import Visibility.Complex.Type
@@ -52,30 +51,47 @@ import Visibility.View (End (..), Flank (..), View (..))
 -- reflex corner has one free ray at one moment and none at the other, and it is buried when the other end sees past
 -- it: so 3 + 2 for two convex corners, 2 + 2 and 1 + 3 for a convex and a reflex one, and 2 + 1 for two reflex ones.
 
--- | /Cost/ O(stretches).
-solidEnds :: Law Complex
-solidEnds =
-  lawOf
-    "a ray is solid where it enters the solid at its corner"
-    "During a stretch the rays of its corner that enter the solid there, by the two sides of the corner, are those \
-    \that the view leaves out, and the following corner is on the flank that the table says: just after the vertex \
-    \where the stretch begins and just before the one where it ends. So the edges of a corner cover exactly the \
-    \directions in which it is not buried."
-    $ \complex ->
-      [ stretchLabel complex e <> ", at its " <> place <> ": the rays " <> show found <> ", the tables " <> show told
-      | e <- [0 .. stretchTotal complex - 1]
-      , let isSolid table = entry table e == solid
-      , let told = (isSolid (stretchBacks complex), isSolid (stretchFronts complex), flankOf complex e)
-      , let scene = complexScene complex
-      , let c = edgeCorner complex (EdgeId e)
-      , (place, moment, d) <-
-          [("beginning", JustAfter, edgeFrom complex (EdgeId e)), ("end", JustBefore, turnedTo complex e)]
-      , let found = (entersSolid scene moment c (reversed d), entersSolid scene moment c d, nextFlank scene moment c d)
-      , found /= told
-      ]
+-- | /Cost/ O(stretches) each.
+localLaws :: [Law Complex]
+localLaws =
+  [ lawOf
+      "a ray is solid where it enters the solid at its corner"
+      "During a stretch the rays of its corner that enter the solid there, by the two sides of the corner, are those \
+      \that the view leaves out, and the following corner is on the flank that the table says: just after the vertex \
+      \where the stretch begins and just before the one where it ends. So the edges of a corner cover exactly the \
+      \directions in which it is not buried."
+      solidEnds
+  , lawOf
+      "a vertex has the edges and faces that its corners demand"
+      "At each corner of a vertex, just before and just after it, 3, 2 or 1 faces meet where 2, 1 or none of the \
+      \corner's rays are free, and none free means no edge. A stretch has as many faces; a vertex has as many edges as \
+      \there are free corners before and after, and as many faces as the sum over its corners, before as after. Two \
+      \corners: 4 edges and 6 faces where both are tangent, 5 for tangent and ending, 4 for ending and ending; on a \
+      \side 4 and 5 between convex corners, 3 and 4 between a convex and a reflex one, 2 and 3 between reflex ones."
+      degrees
+  , lawOf
+      "the faces at a stretch see what its view demands"
+      "With the side that leaves the corner and the one that arrives there, the view tells the objects at the back and \
+      \at the front on each quarter. The face there has them, read as the stretch is where the face has it before the \
+      \end of the half turn, and backwards where it has it after; no face where the solid is."
+      stretchLabels
+  ]
 
-flankOf :: Complex -> Int -> Flank
-flankOf complex e = if entry (stretchFlanks complex) e == 1 then Above else Below
+solidEnds :: Complex -> [String]
+solidEnds complex =
+  [ stretchLabel complex e <> ", at its " <> place <> ": the rays " <> show found <> ", the tables " <> show told
+  | e <- [0 .. stretchTotal complex - 1]
+  , let isSolid table = entry table e == solid
+  , let told = (isSolid (stretchBacks complex), isSolid (stretchFronts complex), flankOf e)
+  , let c = edgeCorner complex (EdgeId e)
+  , (place, moment, d) <-
+      [("beginning", JustAfter, edgeFrom complex (EdgeId e)), ("end", JustBefore, turnedTo complex e)]
+  , let found = (entersSolid scene moment c (reversed d), entersSolid scene moment c d, nextFlank scene moment c d)
+  , found /= told
+  ]
+  where
+    scene = complexScene complex
+    flankOf e = if entry (stretchFlanks complex) e == 1 then Above else Below
 
 -- | The direction where a stretch ends, reached from its beginning by turning left.
 turnedTo :: Complex -> Int -> Direction
@@ -83,78 +99,56 @@ turnedTo complex e
   | wrapsAround complex (EdgeId e) = reversed (edgeTo complex (EdgeId e))
   | otherwise = edgeTo complex (EdgeId e)
 
--- | /Cost/ O(stretches).
-degrees :: Law Complex
-degrees =
-  lawOf
-    "a vertex has the edges and faces that its corners demand"
-    "At each corner of a vertex, just before and just after it, 3, 2 or 1 faces meet where 2, 1 or none of the \
-    \corner's rays are free, and none free means no edge. A stretch has as many faces; a vertex has as many edges as \
-    \there are free corners before and after, and as many faces as the sum over its corners, before as after. Two \
-    \corners: 4 edges and 6 faces where both are tangent, 5 for tangent and ending, 4 for ending and ending; on a \
-    \side 4 and 5 between convex corners, 3 and 4 between a convex and a reflex one, 2 and 3 between reflex ones."
-    check
+degrees :: Complex -> [String]
+degrees complex = concatMap stretch [0 .. stretchTotal complex - 1] <> concatMap vertex [0 .. vertexTotal complex - 1]
   where
-    check complex = concatMap stretch [0 .. stretchTotal complex - 1] <> concatMap vertex [0 .. vertexTotal complex - 1]
-      where
-        scene = complexScene complex
-        read' = readings complex
-        free moment d c = length (filter (not . entersSolid scene moment (CornerId c)) [d, reversed d])
-        stretch e =
-          [ stretchLabel complex e <> " has " <> show have <> " faces, not " <> show want
-          | let have = length (nub (concatMap (edgeFacesOn complex (EdgeId e)) [Above, Below]))
-          , let want = 1 + free JustAfter (edgeFrom complex (EdgeId e)) (entry (stretchCorners complex) e)
-          , have /= want
-          ]
-        vertex v =
-          [ vertexLabel complex v <> " has " <> show have <> " edges and faces, not " <> show want
-              <> (if sum before == sum after then "" else ", and " <> show (sum after) <> " faces after it")
-          | let d = lineOf complex v
-          , let line = cornersOf complex v
-          , let before = map ((+ 1) . free JustBefore d) line
-          , let after = map ((+ 1) . free JustAfter d) line
-          , let want = (length (filter (> 1) (before <> after)), sum before)
-          , let beginning = vertexEdgesAfter complex (VertexId v)
-          , let ending = map (edgeBefore complex) beginning
-          , let have = (length (filter (isEdge complex) (beginning <> ending)), around beginning ending)
-          , have /= want || sum before /= sum after
-          ]
-        around beginning ending =
-          length (nub (concatMap (places id) beginning <> concatMap (\e -> places (turnedIn e) e) ending))
-        turnedIn e = if wrapsAround complex e then opposed else id
-        places turned e =
-          [(f, turned <$> readingAt read' e q) | q <- [minBound ..], Just f <- [faceAt complex e q]]
+    scene = complexScene complex
+    read' = readings complex
+    free moment d c = length (filter (not . entersSolid scene moment (CornerId c)) [d, reversed d])
+    stretch e =
+      [ stretchLabel complex e <> " has " <> show have <> " faces, not " <> show want
+      | let have = length (nub (concatMap (edgeFacesOn complex (EdgeId e)) [Above, Below]))
+      , let want = 1 + free JustAfter (edgeFrom complex (EdgeId e)) (entry (stretchCorners complex) e)
+      , have /= want
+      ]
+    vertex v =
+      [ vertexLabel complex v <> " has " <> show have <> " edges and faces, not " <> show want
+          <> (if sum before == sum after then "" else ", and " <> show (sum after) <> " faces after it")
+      | let d = lineOf complex v
+      , let line = cornersOf complex v
+      , let before = map ((+ 1) . free JustBefore d) line
+      , let after = map ((+ 1) . free JustAfter d) line
+      , let want = (length (filter (> 1) (before <> after)), sum before)
+      , let beginning = vertexEdgesAfter complex (VertexId v)
+      , let ending = map (edgeBefore complex) beginning
+      , let have = (length (filter (isEdge complex) (beginning <> ending)), around beginning ending)
+      , have /= want || sum before /= sum after
+      ]
+    around beginning ending =
+      length (nub (concatMap (places id) beginning <> concatMap (\e -> places (turnedIn e) e) ending))
+    turnedIn e = if wrapsAround complex e then opposed else id
+    places turned e =
+      [(f, turned <$> readingAt read' e q) | q <- [minBound ..], Just f <- [faceAt complex e q]]
     opposed Forwards = Backwards
     opposed Backwards = Forwards
 
--- | /Cost/ O(stretches).
-stretchLabels :: Law Complex
-stretchLabels =
-  lawOf
-    "the faces at a stretch see what its view demands"
-    "With the side that leaves the corner and the one that arrives there, the view tells the objects at the back and \
-    \at the front on each quarter. The face there has them, read as the stretch is where the face has it before the \
-    \end of the half turn, and backwards where it has it after; no face where the solid is."
-    check
+stretchLabels :: Complex -> [String]
+stretchLabels complex =
+  [ stretchLabel complex e <> " has " <> show quarter <> " " <> maybe "no face" (\(FaceId i) -> faceLabel complex i) f
+      <> (if reading == Just Backwards then " read backwards" else "")
+      <> ", not "
+      <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
+  | e <- [0 .. stretchTotal complex - 1]
+  , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
+  , let f = faceAt complex (EdgeId e) quarter
+  , let reading = readingAt read' (EdgeId e) quarter
+  , maybe (isJust want) (\i -> want `notElem` map Just (labels i reading)) f
+  ]
   where
-    check complex =
-      [ stretchLabel complex e <> " has " <> show quarter <> " " <> maybe "no face" (\(FaceId i) -> faceLabel complex i) f <> shown reading <> ", not "
-          <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
-      | e <- [0 .. stretchTotal complex - 1]
-      , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
-      , let f = faceAt complex (EdgeId e) quarter
-      , let reading = readingAt read' (EdgeId e) quarter
-      , maybe (isJust want) (\i -> want `notElem` map Just (labels i reading)) f
-      ]
+    read' = readings complex
+    labels f reading = [label | (how, label) <- [(Forwards, seen), (Backwards, swap seen)], all (== how) reading]
       where
-        read' = readings complex
-        label f = (faceBack complex f, faceFront complex f)
-        swap (a, b) = (b, a)
-        labels f (Just Forwards) = [label f]
-        labels f (Just Backwards) = [swap (label f)]
-        labels f Nothing = [label f, swap (label f)]
-        shown (Just Backwards) = " read backwards"
-        shown _ = ""
+        seen = (faceBack complex f, faceFront complex f)
 
 -- | The objects at back and front on each quarter of a corner's line under a view.
 demands :: Scene -> CornerId -> View Object -> [(Quarter, Maybe (Object, Object))]

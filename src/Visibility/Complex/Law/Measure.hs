@@ -1,8 +1,6 @@
 -- | The laws of the measures of faces, each from the face's own boundary.
 module Visibility.Complex.Law.Measure
-  ( positiveMeasures
-  , summedMeasures
-  , closedMeasures
+  ( measureLaws
   , boundaryMeasures
   ) where
 
@@ -24,66 +22,52 @@ import Visibility.Sweep
 boundaryMeasures :: Complex -> [(FaceId, RootSum)]
 boundaryMeasures complex = [(f, faceMeasure complex f) | f <- faceIds complex, Just _ <- [faceFirst complex f]]
 
--- | /Cost/ O(incidences), and a sum of square roots per face.
-positiveMeasures :: Law Complex
-positiveMeasures =
-  lawOf
-    "every bounded face has a positive measure"
-    "The measure of the lines of a bounded face, an exact sum of square roots from its own boundary, is positive."
-    $ \complex ->
-      [ faceLabel complex f <> " has the measure " <> show (RootSum.terms area)
-      | (FaceId f, area) <- boundaryMeasures complex
-      , RootSum.sign area /= Positive
-      ]
-
--- | /Cost/ O(incidences), and that of the sweep and its form factors.
-summedMeasures :: Law Complex
-summedMeasures =
-  lawOf
-    "the measures of faces add up to those of the sweep"
-    "For each two sides, or a side and the sky, the measures of the faces between them, each from its own boundary, \
-    \add up exactly to the measure that the stream of the sweep gives."
-    $ \complex ->
-      let scene = complexScene complex
-          bySides = sumsBy (\(a, b) -> [(min a b, max a b) | (a, b) /= (Sky, Sky)]) complex
-          streamed =
-            Map.fromList
-              [ ((min a b, max a b), area)
-              | ((a, b), area) <- measureList scene (measures scene (vertices scene))
+-- | /Cost/ O(incidences) and a sum of square roots per face; the second that of the sweep and its form factors, too.
+measureLaws :: [Law Complex]
+measureLaws =
+  [ lawOf
+      "every bounded face has a positive measure"
+      "The measure of the lines of a bounded face, an exact sum of square roots from its own boundary, is positive."
+      $ \complex ->
+        [ faceLabel complex f <> " has the measure " <> show (RootSum.terms area)
+        | (FaceId f, area) <- boundaryMeasures complex
+        , RootSum.sign area /= Positive
+        ]
+  , lawOf
+      "the measures of faces add up to those of the sweep"
+      "For each two sides, or a side and the sky, the measures of the faces between them, each from its own boundary, \
+      \add up exactly to the measure that the stream of the sweep gives."
+      $ \complex ->
+        let scene = complexScene complex
+            ordered (a, b) = (min a b, max a b)
+            streamed = [(ordered seen, area) | (seen, area) <- measureList scene (measures scene (vertices scene))]
+         in [ objectLabel complex (Just a) <> ", " <> objectLabel complex (Just b) <> ": too much by "
+                <> show (RootSum.terms more)
+            | ((a, b), more) <- differences (sumsBy (\seen -> [ordered seen | seen /= (Sky, Sky)]) complex) streamed
+            ]
+  , lawOf
+      "the measures of a side's faces add up to twice its length"
+      "Every line that meets a side belongs to one of its faces, and the lines that meet it have the measure 2 L: so \
+      \the measures of its faces, each from its own boundary, add up to that exactly. This takes nothing from the \
+      \sweep."
+      $ \complex ->
+        let scene = complexScene complex
+            lengths =
+              [ (s, RootSum.hypotenuse (2 % (latticeScale (sceneLattice scene) * w)) x y)
+              | s <- sides scene
+              , let Way (Vector2 x y) w = way (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
               ]
-          both = Map.unionWith (\(a, _) (_, b) -> (a, b)) (with RootSum.zero <$> bySides) (withFirst <$> streamed)
-       in [ objectLabel complex (Just a) <> ", " <> objectLabel complex (Just b) <> ": " <> show (RootSum.terms own)
-              <> " by faces, "
-              <> show (RootSum.terms total)
-              <> " by the sweep"
-          | ((a, b), (own, total)) <- Map.toList both
-          , own /= total
-          ]
-  where
-    with b a = (a, b)
-    withFirst b = (RootSum.zero, b)
+         in [ objectLabel complex (Just (Side s)) <> ": too much by " <> show (RootSum.terms more)
+            | (s, more) <- differences (sumsBy (\(a, b) -> [s | Side s <- [a, b]]) complex) lengths
+            ]
+  ]
 
--- | /Cost/ O(incidences).
-closedMeasures :: Law Complex
-closedMeasures =
-  lawOf
-    "the measures of a side's faces add up to twice its length"
-    "Every line that meets a side belongs to one of its faces, and the lines that meet it have the measure 2 L: so the \
-    \measures of its faces, each from its own boundary, add up to that exactly. This takes nothing from the sweep."
-    $ \complex ->
-      let scene = complexScene complex
-          found = sumsBy (\(a, b) -> [s | Side s <- [a, b]]) complex
-       in [ objectLabel complex (Just (Side s)) <> ": " <> show (RootSum.terms total) <> ", twice its length is "
-              <> show (RootSum.terms twice)
-          | s <- sides scene
-          , let Way (Vector2 x y) w = way (cornerAt scene (sideStart s)) (cornerAt scene (sideEnd scene s))
-          , let twice = RootSum.hypotenuse (2 % (latticeScale (sceneLattice scene) * w)) x y
-          , let total = Map.findWithDefault RootSum.zero s found
-          , total /= twice
-          ]
-
--- | The measures of all bounded faces, added up by what their two objects are counted for.
-sumsBy :: Ord k => ((Object, Object) -> [k]) -> Complex -> Map.Map k RootSum
+-- | The measures of all bounded faces, by what their two objects are counted for.
+sumsBy :: ((Object, Object) -> [k]) -> Complex -> [(k, RootSum)]
 sumsBy keys complex =
-  RootSum.totalsBy
-    [(key, area) | (f, area) <- boundaryMeasures complex, key <- keys (faceBack complex f, faceFront complex f)]
+  [(key, area) | (f, area) <- boundaryMeasures complex, key <- keys (faceBack complex f, faceFront complex f)]
+
+-- | By key, the total of one list less that of another, where that is not zero.
+differences :: Ord k => [(k, RootSum)] -> [(k, RootSum)] -> [(k, RootSum)]
+differences found expected =
+  filter ((/= RootSum.zero) . snd) (Map.toList (RootSum.totalsBy (found <> [(k, negate x) | (k, x) <- expected])))

@@ -5,6 +5,7 @@ module Visibility.Complex.Law.Polygons
   , isGeneral
   ) where
 
+import Control.Monad (foldM)
 import Data.Function (on)
 import Data.List (groupBy, nub, sort, sortBy)
 import qualified Data.Map.Strict as Map
@@ -209,45 +210,40 @@ edgeFaces made found = concatMap check (arcs found)
 
 curves :: Check
 curves made found =
-  concat
-    [ orElse ("polygon " <> polygonText p) (isCurve (Map.findWithDefault [] p byPolygon))
-    | polygon <- scenePolygons (complexScene (sideComplex made))
-    , let p = polygonId polygon
-    ]
+  [ "polygon " <> polygonText p
+  | p <- map polygonId (scenePolygons (complexScene (sideComplex made)))
+  , let own = Map.findWithDefault [] p byPolygon
+  , let onward = Map.fromList [(start a, (arcLast a, endFlank made a)) | a <- own]
+  , let passed a = take (length own) (drop 1 (iterate (\x -> Map.findWithDefault x x onward) (start a)))
+  , sum (map (arcTurns (sideComplex made)) own) /= 2 || or [sort (passed a) /= sort (map start own) | a <- take 1 own]
+  ]
   where
     byPolygon = arcsBy (Just . arcPolygon) pure found
     start a = (arcFirst a, arcFlank a)
-    end a = (arcLast a, endFlank made a)
-    isCurve own =
-      sort (map start own) == sort (map end own)
-        && sum (map (arcTurns (sideComplex made)) own) == 2
-        && and [length (a : takeWhile (/= a) (steps a)) == length own | a <- take 1 (map start own)]
-      where
-        -- From one edge to the next, at most as many as there are.
-        steps = take (length own) . drop 1 . iterate (\a -> Map.findWithDefault a a onward)
-        onward = Map.fromList [(start a, end a) | a <- own]
 
 chainsLink :: Check
 chainsLink made found = concat (V.toList (V.imap check (boundaries found))) <> once
   where
     complex = sideComplex made
-    arc = arcOf found
-    turnsOf chain = sum [arcTurns complex (arc a) | (a, _) <- chain]
     isOuter r = any (isNothing . faceFirst complex) (regionFaces (regions made V.! r))
     check r (Boundary from to upper lower) = orElse ("face " <> show r) $ case (from, to) of
-      (Just _, Just _) -> all (between from to) [upper, lower] && turnsOf upper == turnsOf lower
+      (Just _, Just _) -> case (follow (from, 0) upper, follow (from, 0) lower) of
+        (Just end, Just end') -> end == end' && fst end == to
+        _ -> False
       (Nothing, Nothing)
         | isOuter r -> null upper && isClosed lower && all ((`elem` [0, 1]) . snd) (take 1 lower)
         | otherwise -> length (scenePolygons (complexScene complex)) == 1 && isClosed upper && isClosed lower
       _ -> False
-    between from to chain =
-      map (arcFirst . arc . fst) (take 1 chain) == [from]
-        && map (arcLast . arc . fst) (take 1 (reverse chain)) == [to]
-        && map snd (take 1 chain) == [0]
-        && linked chain
-    isClosed chain = turnsOf chain == 2 && linked (chain <> [(a, turns + 2) | (a, turns) <- take 1 chain])
-    linked chain = and (zipWith follows chain (drop 1 chain))
-    follows (a, turns) (b, turns') = arcLast (arc a) == arcFirst (arc b) && turns + arcTurns complex (arc a) == turns'
+    isClosed chain =
+      or
+        [ follow from chain == Just ((+ 2) <$> from)
+        | (a, turns) <- take 1 chain
+        , let from = (arcFirst (arcOf found a), turns)
+        ]
+    -- From a vertex, and how many half turns it comes later, along the edges of a chain.
+    follow = foldM $ \from (a, turns) ->
+      let arc = arcOf found a
+       in if from == (arcFirst arc, turns) then Just (arcLast arc, turns + arcTurns complex arc) else Nothing
 
     -- Which face bounds which edge from where, by the chains and by the edges.
     once = orElse "edges in chains" (sort byChains == sort byEdges)

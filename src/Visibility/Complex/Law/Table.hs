@@ -56,10 +56,7 @@ wellFormed =
           , ("faceLasts", tableNumbers . faceLasts, f, -1, v - 1)
           , ("faceBacks", tableNumbers . faceBacks, f, 0, sky)
           , ("faceFronts", tableNumbers . faceFronts, f, 0, sky)
-          , ("upperStarts", tableNumbers . upperStarts, f + 1, 0, chained)
-          , ("lowerStarts", tableNumbers . lowerStarts, f, 0, chained)
-          , ("upperTurns", tableNumbers . upperTurns, f, 0, chained)
-          , ("lowerTurns", tableNumbers . lowerTurns, f, 0, chained)
+          , ("chainStarts", tableNumbers . chainStarts, 4 * f + 1, 0, chained)
           , ("chains", tableNumbers . chains, chained, 0, e - 1)
           ]
         chained = tableLength (chains complex)
@@ -82,18 +79,12 @@ wellFormed =
               || take 1 starts /= [0]
               || drop v starts /= [fromIntegral e]
           ]
-            <> [ "the chains of face " <> show i <> " overlap: " <> show bounds
-               | i <- [0 .. f - 1]
-               , let bounds =
-                       [ entry (table complex) k
-                       | (table, k) <-
-                           [(upperStarts, i), (upperTurns, i), (lowerStarts, i), (lowerTurns, i), (upperStarts, i + 1)]
-                       ]
-               , or (zipWith (>) bounds (drop 1 bounds))
+            <> [ "a chain of face " <> show (i `quot` 4) <> " ends before it begins"
+               | i <- [0 .. 4 * f - 1]
+               , entry (chainStarts complex) i > entry (chainStarts complex) (i + 1)
                ]
             <> [ "the chains do not fill their table"
-               | entry (upperStarts complex) 0 /= 0
-                   || entry (upperStarts complex) f /= chained
+               | entry (chainStarts complex) 0 /= 0 || entry (chainStarts complex) (4 * f) /= chained
                ]
 
 -- | /Cost/ O(stretches).
