@@ -31,7 +31,7 @@ import Visibility.Mesh.Element hiding (Refined (..))
 import Visibility.Mesh.Landing
 import Visibility.Mesh.Span
 import Visibility.Mesh.Type (Mesh)
-import Visibility.Mesh.Type hiding (Mesh (..), selected)
+import Visibility.Mesh.Type hiding (Mesh (..))
 import qualified Visibility.Mesh.Type as Inside
 import Visibility.Scene
 import Visibility.Sweep.Vertex
@@ -97,4 +97,5 @@ uniformMesh parts scene = Inside.Mesh scene (V.map cut (pieceSpans scene))
 
 -- | Without the kinks.
 shadowLimits :: Mesh -> Mesh
-shadowLimits = Inside.selected ((== Just ShadowLimit) . breakKind)
+shadowLimits mesh =
+  mesh {Inside.breakTable = V.map (filter ((== Just ShadowLimit) . breakKind)) (Inside.breakTable mesh)}

@@ -77,7 +77,7 @@ roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
   [ FactorRow name (catMaybes (zipWith listed reached quick)) (length (filter isNothing quick))
   | (r, TheSide name) <- zip [0 ..] (V.toList seen)
   , let reached = rows r
-        quick = map (\(_, g) -> inDoubles (sums `sumAt` g) (sideLengths `lengthAt` r)) reached
+        quick = map (\(_, g) -> inDoubles (sumAt g) (sideLengths r)) reached
         listed (other, g) found = do
           x <- maybe (exactly (formFactor scene name) other g) Just found
           Just (seen V.! other, told x (totals g))
@@ -93,7 +93,10 @@ roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
         total = totals g
     totals = groupSums scene terms groups
 
-    sums = sumsOf (groupCount groups) (groupTerms (\total slot -> plusLength total (distances `lengthAt` slot)) noLengths groups)
+    sumAt g = let (a, b, bound, number) = sums U.! g in Sum2 a b bound number
+    sums = U.generate (groupCount groups) $ \g ->
+      let Sum2 a b bound number = groupTerms (\total -> plusLength total . distances) noLengths groups g
+       in (a, b, bound, number)
     distances = lengthsOf (slotCount terms) (lengthOf . alongSlot)
     alongSlot slot = let (a, b) = slotEnds terms slot in way (corner a) (corner b)
     corner = cornerAt scene . CornerId
@@ -109,26 +112,9 @@ roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
       | otherwise = scaledLength reach x y w
 {-# INLINE roundedFactors #-}
 
--- | Sums by number.
-newtype Sums = Sums (U.Vector (Double, Double, Double, Double))
-
-sumsOf :: Int -> (Int -> Sum2) -> Sums
-sumsOf n f = Sums (U.generate n (\g -> let Sum2 a b size count = f g in (a, b, size, count)))
-{-# INLINE sumsOf #-}
-
-sumAt :: Sums -> Int -> Sum2
-sumAt (Sums table) g = let (a, b, size, count) = table U.! g in Sum2 a b size count
-{-# INLINE sumAt #-}
-
 -- | Lengths by number.
-data Lengths = Lengths !(U.Vector Double) !(U.Vector Double)
-
-lengthsOf :: Int -> (Int -> Double2) -> Lengths
-lengthsOf n f = Lengths high low
+lengthsOf :: Int -> (Int -> Double2) -> Int -> Double2
+lengthsOf n f = \k -> let (high, low) = table U.! k in Double2 high low
   where
-    (high, low) = U.unzip (U.generate n (\k -> let Double2 s t = f k in (s, t)))
+    table = U.generate n (\k -> let Double2 high low = f k in (high, low))
 {-# INLINE lengthsOf #-}
-
-lengthAt :: Lengths -> Int -> Double2
-lengthAt (Lengths high low) k = Double2 (high U.! k) (low U.! k)
-{-# INLINE lengthAt #-}

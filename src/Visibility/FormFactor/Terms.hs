@@ -183,16 +183,8 @@ groupTerms combine begin groups g = U.foldl' step begin (U.slice from (to - from
 --
 -- /Cost/ O(groups + bound) when first used, then O(1) for each group.
 rowsOf :: Int -> Groups -> Int -> [(Int, Int)]
-rowsOf bound groups = row
+rowsOf bound groups = \r -> [(fst (pair g), g) | g <- bucketOf bySecond r] <> [(snd (pair g), g) | g <- bucketOf byFirst r]
   where
-    pairs = U.generate (groupCount groups) (uncurry pairOf . groupPair groups)
-    firstOf g = fst (parts (pairs U.! g))
-    secondOf g = snd (parts (pairs U.! g))
-    -- Groups are sorted by their first numbers; here they are by the second ones.
-    bySecond = sortedBy bound secondOf (U.enumFromN 0 (U.length pairs))
-    firstEnds = offsets (U.map (fst . parts) pairs)
-    secondEnds = offsets (U.map (snd . parts) pairs)
-    offsets = U.scanl (+) 0 . U.accumulate (+) (U.replicate bound 0) . U.map (\k -> (k, 1))
-    row r =
-      [(firstOf g, g) | k <- [secondEnds U.! r .. secondEnds U.! (r + 1) - 1], let g = bySecond U.! k]
-        <> [(secondOf g, g) | g <- [firstEnds U.! r .. firstEnds U.! (r + 1) - 1]]
+    pair = groupPair groups
+    byFirst = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . fst . pair))
+    bySecond = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . snd . pair))

@@ -26,12 +26,12 @@ import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (skyCode, solid)
 import Visibility.View (freeBitangents)
 
--- | All landings, those of side k from entry k on, below entry k + 1: the near corner, the far one, and whether they
--- are a free bitangent.
-data Landings = Landings !(U.Vector Int) !(U.Vector (Int32, Int32, Bool))
+-- | All landings by their sides, in the order of the stream: the near corner, the far one, and whether they are a free
+-- bitangent.
+data Landings = Landings !Buckets !(U.Vector (Int32, Int32, Bool))
 
 -- | A landing as it is found, with its side first.
-type Found = (Int32, Int32, Int32, Bool)
+type Found = (Int32, (Int32, Int32, Bool))
 
 -- Note [Landings]
 -- ~~~~~~~~~~~~~~~
@@ -52,25 +52,19 @@ type Found = (Int32, Int32, Int32, Bool)
 -- caster; if none is free, the nearest pair. Where several pairs join the same places, as along both faces of a wall,
 -- it is the one with the smaller names.
 --
--- /Cost/ O(1) per elementary pair, O(m + n) in all; 13 bytes per landing.
+-- /Cost/ O(1) per elementary pair, O(m + n) in all; 17 bytes per landing.
 landings :: Scene -> [Vertex] -> Landings
-landings scene swept = Landings (U.scanl' (+) 0 counts) (U.map (\(_, p, q, free) -> (p, q, free)) sorted)
+landings scene swept = Landings (bucketsBy (cornerCount scene) landedOn) items
   where
+    (landedOn, items) = U.unzip (U.concat found)
     found = alongStream scene (\sights _ piece -> (,) () <$> piecewise scene sights piece) () (inPieces swept)
-    sorted = sortedBy n (\(s, _, _, _) -> fromIntegral s) (U.concat found)
-    counts = U.accumulate (+) (U.replicate n 0) (U.map (\(s, _, _, _) -> (fromIntegral s, 1)) sorted)
-    n = cornerCount scene
 
 -- | The casters that land on a side, in the order of the stream.
 landingsOn :: Landings -> SideId -> [Caster]
-landingsOn (Landings starts items) (SideId s) =
-  [ Caster (if free then ShadowLimit else Kink) (corner p) (corner q)
-  | (p, q, free) <- U.toList (U.slice from (to - from) items)
+landingsOn (Landings bySide items) (SideId s) =
+  [ Caster (if free then ShadowLimit else Kink) (CornerId (fromIntegral p)) (CornerId (fromIntegral q))
+  | (p, q, free) <- map (items U.!) (bucketOf bySide s)
   ]
-  where
-    from = starts U.! s
-    to = starts U.! (s + 1)
-    corner = CornerId . fromIntegral
 
 -- | The landings of one piece of the stream. See Note [Landings].
 piecewise :: Scene -> Changing s -> Piece -> ST s (U.Vector Found)
@@ -92,7 +86,7 @@ piecewise scene sights piece = do
     put !used !object !near !far !free
       | object == solid || object == sky = pure used
       | otherwise = do
-          M.write items used (fromIntegral object, fromIntegral near, fromIntegral far, free)
+          M.write items used (fromIntegral object, (fromIntegral near, fromIntegral far, free))
           pure (used + 1 :: Int)
   used <- go 0 (pieceVertices piece)
   U.freeze (M.take used items)

@@ -16,7 +16,6 @@ module Visibility.Mesh.Type
   , breaksOf
   , meshSides
   , breakCount
-  , selected
     -- * How many elements
   , ElementCount
   , elementCount
@@ -119,10 +118,6 @@ meshSides mesh = [(side, breaksOf mesh side) | side <- statedSides (meshScene me
 -- | How many break points there are.
 breakCount :: Mesh -> Int
 breakCount = sum . V.map length . breakTable
-
--- | The mesh of those break points that are wanted.
-selected :: (BreakPoint -> Bool) -> Mesh -> Mesh
-selected wanted mesh = mesh {breakTable = V.map (filter wanted) (breakTable mesh)}
 
 -- | How many elements a side has: 1 or more.
 newtype ElementCount = ElementCount Int

@@ -93,7 +93,7 @@ data Enclosure = Enclosure
 -- | The bounds that the residuals of a guess prove; 'Nothing' where reflectivities are so near to 1 that none can be
 -- computed.
 --
--- /Cost/ O(factors) for each pass, of which there are some tens; fewer where little is reflected.
+-- /Cost/ O(factors) for each pass, of which there are some tens, at most 1000; fewer where little is reflected.
 enclosureFrom :: System -> V.Vector Residual -> Maybe Enclosure
 enclosureFrom system found = do
   slack <- lightErrors system (V.map (size . residualWithin) found)
@@ -144,7 +144,7 @@ lightErrors system sizes
           | otherwise = pure total
         go !count !before = do
           now <- foldM tighten 0 [0 .. n - 1]
-          if now > 0.99 * before || count >= mostTightenings then pure () else go (count + 1) now
+          if now > 0.99 * before || count >= 1000 then pure () else go (count + 1) now
       go (1 :: Int) (0x1p1000 :: Double)
       U.generateM n light
     inUnits t
@@ -153,9 +153,6 @@ lightErrors system sizes
           let (m, e) = decodeFloat t
               k = e + scale
            in if k >= 0 then m `shiftL` k else (m `shiftR` negate k) + 1
-
-mostTightenings :: Int
-mostTightenings = 1000
 
 -- | An integer by a power of two as a Double that is no smaller, and as little larger as matters. /Requires/ that both
 -- are not negative, and the quotient at most 1.

@@ -16,7 +16,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Interval
-import Visibility.Exact.RootSum (enclosureRelative)
+import Visibility.Exact.RootSum (enclosureRelative, scaled)
 import Visibility.Radiosity.System
 import Visibility.Scene.Raw (Material (..))
 
@@ -38,7 +38,7 @@ gainsOf system =
     }
   where
     patches = V.toList (systemPatches system)
-    lengths = [fst (enclosureRelative 60 (openLength p)) | p <- patches]
+    lengths = [fst (enclosureRelative 60 (scaled (patchOpen p) (patchLength p))) | p <- patches]
     total = sum lengths
     weights = if total == 0 then map (const 0) lengths else map (/ total) lengths
     loss p
@@ -64,7 +64,7 @@ rowDot matrix x i = go (rowStarts matrix U.! i) 0
 data Guess = Guess !(U.Vector Double) !Int
 
 -- | Relaxes x = b + gain · F x until what is still to come seems to be less than a part of the largest number; or until
--- roundings are all that changes, or the matrix has been gone through 'mostPasses' times.
+-- roundings are all that changes, or the matrix has been gone through 5000 times.
 --
 -- It begins with the light of one intensity that would balance b. This is the error that Gauss–Seidel is slowest at
 -- where little is absorbed.
@@ -78,9 +78,9 @@ relax system known goal b = runST $ do
     go !count !before = do
       (change, largest) <- pass
       let ratio = if before > 0 then min 0.9999 (change / before) else 0.9999
-          done = change * ratio <= goal * (1 - ratio) * largest || change <= 0x1p-50 * largest || count >= mostPasses
+          done = change * ratio <= goal * (1 - ratio) * largest || change <= 0x1p-50 * largest || count >= 5000
       if done || isNaN change then pure count else go (count + 1) change
-  count <- go 1 0
+  count <- go (1 :: Int) 0
   x' <- U.freeze x
   pure (Guess x' count)
   where
@@ -97,7 +97,3 @@ relax system known goal b = runST $ do
           M.write x i new
           pure (max change (abs (new - old)), max largest (abs new))
       | otherwise = pure (change, largest)
-
--- | 5000.
-mostPasses :: Int
-mostPasses = 5000

@@ -10,6 +10,7 @@ module Visibility.Radiosity.Solve
 
 import Data.Bits (shiftL, shiftR)
 import Data.Ratio ((%))
+import Data.Semigroup (Min (..))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
@@ -39,15 +40,15 @@ data Shortfall = Shortfall
 --
 -- /Degenerate cases/ without any light all radiosities are exactly zero, whatever was asked.
 solve :: Rational -> System -> Either Shortfall Solution
-solve target system = go Nothing 0 (V.replicate n 0) (V.map patchEmission (systemPatches system))
+solve target system = go Nothing 0 (V.map (const 0) patches) (V.map patchEmission patches)
   where
-    n = systemSize system
+    patches = systemPatches system
     known = gainsOf system
     goal = max 0x1p-46 (fromRational (target / 64)) :: Double
     go best !passes x residual
       | maybe False (<= target) spread, Just bounds <- enclosed = Right (Solution bounds passes')
-      | better spread best = go spread passes' x' (V.map residualWithin found)
-      | otherwise = Left (Shortfall (least spread best) passes')
+      | any (\now -> all (2 * now <) best) spread = go spread passes' x' (V.map residualWithin found)
+      | otherwise = Left (Shortfall (fmap getMin (fmap Min spread <> fmap Min best)) passes')
       where
         Guess correction more = correctionFor residual
         passes' = passes + more
@@ -58,12 +59,6 @@ solve target system = go Nothing 0 (V.replicate n 0) (V.map patchEmission (syste
         scale = V.foldl' max 0 (V.map (bitLength . middle) residual)
         correctionFor = relax system known goal . U.convert . V.map (\r -> scaledDown scale (middle r))
         corrected isLit old d = if isLit then max 0 (old + scaledUp scale d) else 0
-    better (Just now) (Just before) = 2 * now < before
-    better (Just _) Nothing = True
-    better Nothing _ = False
-    least (Just a) (Just b) = Just (min a b)
-    least a Nothing = a
-    least Nothing b = b
     middle (Interval low high) = (low + high) `div` 2
 
 -- | The largest distance of two bounds as a part of the largest radiosity; 0 where all are zero. 'Nothing' where no

@@ -3,8 +3,6 @@ module Visibility.Radiosity.System
   ( -- * The system
     System (..)
   , Patch (..)
-  , systemSize
-  , openLength
     -- ** The matrix
   , Matrix (..)
   , Precision (..)
@@ -58,10 +56,6 @@ data Patch = Patch
   -- ^ The form factor to the sky.
   }
 
--- | The length of what is not covered.
-openLength :: Patch -> RootSum
-openLength patch = RootSum.scaled (patchOpen patch) (patchLength patch)
-
 -- | Equations B = E + gain · F B in units of 2^(scale − places).
 data System = System
   { systemPlaces :: !BinaryPlaces
@@ -74,9 +68,6 @@ data System = System
   , systemReached :: !(U.Vector Bool)
   -- ^ Which elements light reaches at all.
   }
-
-systemSize :: System -> Int
-systemSize = V.length . systemPatches
 
 -- | The form factors between elements that are not exactly zero, by rows.
 data Matrix = Matrix

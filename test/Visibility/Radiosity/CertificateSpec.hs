@@ -81,3 +81,6 @@ spec = do
                 , counterexample "too small a residual does not show" (any (> target + 1) (lows bad))
                 ]
             _ -> counterexample "there are no bounds" False
+
+systemSize :: System -> Int
+systemSize = V.length . systemPatches
