@@ -9,7 +9,7 @@ export BUILDDIR ?= dist-newstyle
 export CABAL_FLAGS ?=
 # the scenes that `demo` runs, or for `soak`, how many random ones;
 SCENES ?= $(sort $(wildcard scenes/*.json scenes/*.geojson scenes/*.wkt))
-# the seed of `test`, which is otherwise a fixed one, and of `soak`, which is otherwise a random one;
+# the seed of `test`, which is otherwise a fixed one, and of `soak` and `fuzz`, which is otherwise a random one;
 SEED ?=
 # the QuickCheck cases of each property of `test` at -O0;
 export O0_CASES ?=
@@ -56,6 +56,11 @@ test-bare: ## demo and test in a bare Debian 12, made for it (as root)
 soak: SCENES = 1000000
 soak: setup ## the sweeps against brute force on SCENES=1000000 random scenes, in two processes
 	@tools/soak.sh $(SCENES) $(SEED)
+
+.PHONY: fuzz
+fuzz: MINUTES = 10
+fuzz: setup ## change the files of test/corpus at random for MINUTES=10, looking for one that is treated wrongly
+	@tools/fuzz.sh $(MINUTES) $(SEED)
 
 .PHONY: bench
 bench: build ## time and space of the parts and of whole commands, beside bench/baseline
