@@ -5,15 +5,13 @@ import Command.Draw
 import Command.Elements (runMesh, runRadiosity)
 import Command.Query
 import Command.View (runView)
-import GHC.IO.Encoding (setLocaleEncoding, utf8)
 import Options
-import Run (guarded)
+import Output (guarded, systemEncodings)
 
 main :: IO ()
 main = do
-  setLocaleEncoding utf8
-  command <- readCommand
-  guarded $ case command of
+  systemEncodings
+  guarded $ readCommand >>= \command -> case command of
     Info common -> runInfo common
     Graph common options -> runGraph common options
     Factors common options -> runFactors common options

@@ -17,6 +17,7 @@ module Options
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Data.Version (showVersion)
+import Data.Word (Word64)
 import Options.Applicative hiding (empty)
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
@@ -50,6 +51,7 @@ data GenerateOptions = GenerateOptions
   { generatedFamily :: !Family
   , generatedSize :: !Size
   , generatedSeed :: !Seed
+  , generatedMemory :: !(Maybe Word64)
   }
 
 -- | Reads the arguments; a mistake in them ends the program with exit code 1 and a hint.
@@ -85,7 +87,7 @@ whole =
           , ("from another program", "viscomplex generate grid --size 9 | viscomplex graph -")
           ]
           "Exit codes: 0 done, 1 wrong usage, 2 unreadable or unwritable file, 3 not parseable, 4 invalid scene,\n\
-          \5 a check found a difference, 70 broken internal law.\n\
+          \5 a check found a difference, 6 more memory needed than allowed, 70 broken internal law.\n\
           \'viscomplex COMMAND --help' explains a command."
     )
   where
@@ -238,6 +240,7 @@ generateOptions =
     <*> option
       (eitherReader (fmap (Seed . fromInteger) . wholeNumber "seed" 0 (2 ^ (64 :: Int) - 1)))
       (long "seed" <> metavar "S" <> value (Seed 1) <> showDefaultWith (const "1") <> help "A whole number.")
+    <*> memoryOption
 
 familyLabel :: Family -> String
 familyLabel = Text.unpack . familyName

@@ -14,7 +14,7 @@ import Data.ByteString.Builder (string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
 import Options
 import Progress (withProgress)
-import Run (ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
+import Run (allowMemory, ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
 import Visibility.Complex.Law (checked)
@@ -90,5 +90,6 @@ runVerify common = withScene common $ \scene ->
 
 -- | Prints a generated scene.
 runGenerate :: GenerateOptions -> IO ()
-runGenerate options =
+runGenerate options = do
+  mapM_ allowMemory (generatedMemory options)
   printed (sceneDocument (family (generatedFamily options) (generatedSize options) (generatedSeed options)))

@@ -2,14 +2,18 @@
 module Options.Common
   ( Common (..)
   , commonOptions
+  , memoryOption
     -- * The graph
   , GraphOptions (..)
   , LineOrder (..)
   , graphOptions
   ) where
 
+import Data.Char (isDigit)
+import Data.Word (Word64)
 import Options.Applicative
 import Options.Reader
+import Text.Read (readMaybe)
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Graph (PairSelection (..))
 import Visibility.Sweep (Scheduler (..))
@@ -19,6 +23,7 @@ data Common = Common
   { sceneFile :: !FilePath
   , arithmeticChoice :: !Arithmetic
   , schedulerChoice :: !Scheduler
+  , memoryChoice :: !(Maybe Word64)
   }
 
 -- | Which lines of the graph, and in which order.
@@ -30,7 +35,7 @@ data GraphOptions = GraphOptions
 data LineOrder = ByName | AsSwept
 
 commonOptions :: Parser Common
-commonOptions = Common <$> scene <*> arithmetic <*> scheduler
+commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> memoryOption
   where
     scene = argument str (metavar "SCENE" <> help sources)
     sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
@@ -54,6 +59,27 @@ commonOptions = Common <$> scene <*> arithmetic <*> scheduler
               "The order in which vertices are swept: any legal one, or by direction. The result is the same. \
               \reference sweeps as topological does, by a slower program that is written to be read."
         )
+
+-- | How many bytes of memory a command may take.
+memoryOption :: Parser (Maybe Word64)
+memoryOption =
+  optional . option (eitherReader size) $
+    long "memory"
+      <> metavar "SIZE"
+      <> help
+        "The most memory to take, such as 500M or 2G (of 1024M), from 16M on. Where more is needed, the command ends \
+        \with exit code 6. Default: half of the machine's memory, or what a container or ulimit -v allows, if less."
+  where
+    size word = case span isDigit word of
+      (number, unit)
+        | Just bytes <- lookup unit units
+        , length number < 20
+        , Just wanted <- (* bytes) <$> readMaybe number
+        , 16 * 1024 * 1024 <= wanted
+        , wanted <= 1024 ^ (5 :: Int) ->
+            Right (fromInteger wanted)
+      _ -> Left (show word <> " is not a size from 16M to 1024T, such as 500M or 2G")
+    units = zip ["", "K", "M", "G", "T"] (iterate (* 1024) 1)
 
 graphOptions :: Parser GraphOptions
 graphOptions =

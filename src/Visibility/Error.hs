@@ -8,6 +8,7 @@ module Visibility.Error
   , errorText
     -- ** It cannot be read
   , ReadFault (..)
+  , systemText
     -- ** It cannot be parsed
   , module Visibility.Error.Parse
     -- ** It states no valid scene
@@ -23,6 +24,7 @@ import Data.Foldable (toList)
 import Data.List.NonEmpty (NonEmpty)
 import Visibility.Error.Parse
 import Visibility.Error.Scene
+import Visibility.Error.System
 
 -- | Something wrong with an input file. The path is what the user called it.
 data Problem
@@ -35,7 +37,7 @@ data Problem
 data ReadFault
   = NoSuchFile
   | NotPermitted
-  | -- | Anything else, in the system's words.
+  | -- | Anything else, as 'systemText' says it.
     ReadFailed !String
   deriving (Eq, Ord, Show)
 
@@ -61,6 +63,8 @@ data Outcome
   | InvalidInput
   | -- | A check found a difference.
     DifferenceFound
+  | -- | More than the program is allowed.
+    MemoryNeeded
   | -- | A law that holds by construction does not: an error of this program.
     LawBroken
   deriving (Eq, Ord, Show, Enum, Bounded)
@@ -74,6 +78,7 @@ exitNumber outcome = case outcome of
   UnparseableInput -> 3
   InvalidInput -> 4
   DifferenceFound -> 5
+  MemoryNeeded -> 6
   LawBroken -> 70
 
 -- | How a run ends that meets this problem.

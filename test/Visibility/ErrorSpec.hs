@@ -47,7 +47,7 @@ spec = do
         `shouldBe` "a: cannot be read (is a directory); give the path of a scene, or - for standard input"
   describe "exit codes" $ do
     it "are those of the contract" $
-      map exitNumber [minBound .. maxBound] `shouldBe` [0, 1, 2, 3, 4, 5, 70]
+      map exitNumber [minBound .. maxBound] `shouldBe` [0, 1, 2, 3, 4, 5, 6, 70]
     it "of several problems, the earliest failure counts" $ do
       let invalid = InvalidScene "a" EmptyScene
           unparseable = UnparseableFile "b" (SyntaxError (TextPosition 1 1) InvalidUtf8)
@@ -73,7 +73,7 @@ data Kind
   | Scene SceneKind
   deriving (Eq, Ord, Show)
 
-data SyntaxKind = KUnexpected Expected | KControl | KSurrogate | KUtf8 | KDeep
+data SyntaxKind = KUnexpected Expected | KControl | KUtf8 | KDeep
   deriving (Eq, Ord, Show)
 
 data ShapeKind
@@ -121,7 +121,7 @@ data PlaceKind = AtPolygon | AtSide
 
 allKinds :: [Kind]
 allKinds =
-  map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KSurrogate, KUtf8, KDeep])
+  map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KUtf8, KDeep])
     <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
     <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey, KEnclosureHole, KEnclosureWall, KSecondEnclosure]
     <> map (Shape . KOutline) [minBound .. maxBound]
@@ -149,7 +149,6 @@ syntaxKind :: SyntaxFault -> SyntaxKind
 syntaxKind fault = case fault of
   Unexpected _ expected -> KUnexpected expected
   ControlCharacter _ -> KControl
-  UnpairedSurrogate -> KSurrogate
   InvalidUtf8 -> KUtf8
   TooDeep _ -> KDeep
 

@@ -41,7 +41,6 @@ data SyntaxFault
   = -- | The character found, nothing at the end of the text.
     Unexpected !(Maybe Char) !Expected
   | ControlCharacter !Char
-  | UnpairedSurrogate
   | InvalidUtf8
   | -- | More brackets open than this.
     TooDeep !Int
@@ -174,7 +173,6 @@ syntaxText fault = case fault of
   Unexpected found expected ->
     "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
-  UnpairedSurrogate -> "half of a surrogate pair; give both halves, or the character itself"
   InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
   TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than ten"
 

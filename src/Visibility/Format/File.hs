@@ -14,7 +14,7 @@ import qualified Data.ByteString as Bytes
 import Data.Char (toLower)
 import Data.List (isSuffixOf)
 import Data.List.NonEmpty (NonEmpty (..))
-import System.IO.Error (ioeGetErrorString, isDoesNotExistError, isPermissionError, tryIOError)
+import System.IO.Error (isDoesNotExistError, isPermissionError, tryIOError)
 import Visibility.Error
 import Visibility.Format.GeoJson (readGeoJson)
 import Visibility.Format.Json (readScene)
@@ -41,7 +41,7 @@ sceneFileBytes path = first unreadable <$> tryIOError bytes
     readFault fault
       | isDoesNotExistError fault = NoSuchFile
       | isPermissionError fault = NotPermitted
-      | otherwise = ReadFailed (ioeGetErrorString fault)
+      | otherwise = ReadFailed (systemText fault)
 
 -- | What the text of a file says of a scene. The ending of the path tells the format, in capitals or not: @.geojson@ is
 -- GeoJSON, @.wkt@ is WKT, all else JSON.

@@ -86,9 +86,9 @@ failureWord failure = case failure of
 -- | Runs the program with arguments where they may never end: with the plan's limits of time and memory.
 runContained :: Plan -> [String] -> IO Outcome
 runContained plan arguments =
-  runProcess "timeout" ([show (timeLimit plan), program plan] <> arguments <> ["+RTS", heap, "-RTS"])
+  runProcess "timeout" ([show (timeLimit plan), program plan] <> arguments <> ["--memory", memory])
   where
-    heap = "-M" <> show (memoryLimit plan) <> "m"
+    memory = show (memoryLimit plan) <> "M"
 
 -- | The time of a whole command by the clock, from the start of the process to its end: the least of some runs, if
 -- any ended well.
@@ -122,8 +122,7 @@ runProcess command arguments = withSystemTempDirectory "viscomplex-report" $ \pl
       70 -> Refused
       -- That of timeout.
       124 -> OutOfTime
-      -- That of the runtime system for an exhausted heap.
-      251 -> OutOfMemory
+      6 -> OutOfMemory
       _ -> Crashed number
 
 -- | A value that unsafe arithmetic may not come to: 'Nothing' where a law breaks on the way.

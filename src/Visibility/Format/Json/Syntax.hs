@@ -183,24 +183,20 @@ stringEnd bytes i = case charAt bytes i of
     | otherwise -> Failed (Failure i (ControlCharacter c))
 
 -- What an escape means, of which the place behind the backslash is given; and the place behind it. Two code units may
--- make one character beyond U+FFFF.
+-- make one character beyond U+FFFF; U+FFFD stands for half of such a pair, which is no character.
 escaped :: ByteString -> Int -> Either Failure (Char, Int)
 escaped bytes i = case charAt bytes i of
   'u' -> do
     unit <- codeUnit (i + 1)
-    case () of
-      _ | isHigh unit, slice bytes (i + 5) (i + 7) == "\\u" -> do
-            unit' <- codeUnit (i + 7)
-            if isLow unit'
-              then Right (chr (0x10000 + (unit - 0xD800) * 0x400 + (unit' - 0xDC00)), i + 11)
-              else unpaired
-        | isHigh unit || isLow unit -> unpaired
-        | otherwise -> Right (chr unit, i + 5)
+    Right $ case codeUnit (i + 7) of
+      Right unit'
+        | isHigh unit, isLow unit', slice bytes (i + 5) (i + 7) == "\\u" ->
+            (chr (0x10000 + (unit - 0xD800) * 0x400 + (unit' - 0xDC00)), i + 11)
+      _ -> (if isHigh unit || isLow unit then '\xFFFD' else chr unit, i + 5)
   c | Just meant <- lookup c short -> Right (meant, i + 1)
   _ -> Left (unexpected AnEscape bytes i)
   where
     short = zip "\"\\/bfnrt" "\"\\/\b\f\n\r\t"
-    unpaired = Left (Failure i UnpairedSurrogate)
     isHigh u = u >= 0xD800 && u < 0xDC00
     isLow u = u >= 0xDC00 && u < 0xE000
     codeUnit from
