@@ -6,11 +6,11 @@ import Command.Elements (runMesh, runRadiosity)
 import Command.Query
 import Command.View (runView)
 import Options
-import Output (guarded, systemEncodings)
+import Output (guarded, prepare)
 
 main :: IO ()
 main = do
-  systemEncodings
+  prepare
   guarded $ readCommand >>= \command -> case command of
     Info common -> runInfo common
     Graph common options -> runGraph common options

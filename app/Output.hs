@@ -8,11 +8,11 @@ module Output
   , complain
   , ends
   , orComplain
-    -- * Limits
+    -- * The run
+  , prepare
   , allowMemory
   , guarded
   , broken
-  , systemEncodings
   ) where
 
 import Control.Exception
@@ -40,12 +40,18 @@ foreign import ccall "viscomplex_end" end :: CInt -> IO CInt
 
 foreign import ccall "viscomplex_exhausted" exhausted :: CInt -> IO ()
 
+foreign import ccall "viscomplex_heed_interrupts" heedInterrupts :: IO ()
+
 -- | Bounds what the program may take of memory, in bytes; beyond it, it ends with exit code 6.
 foreign import ccall "viscomplex_allow" allowMemory :: Word64 -> IO ()
 
--- | Texts are UTF-8 in every locale. Names of files are bytes: those that are not UTF-8 go through as they are.
-systemEncodings :: IO ()
-systemEncodings = setLocaleEncoding utf8 >> mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
+-- | To be done before all else. Then texts are UTF-8 in every locale. Names of files are bytes: those that are not UTF-8
+-- go through as they are. An interrupt ends the program as any other signal does.
+prepare :: IO ()
+prepare = do
+  heedInterrupts
+  setLocaleEncoding utf8
+  mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
 
 -- | Ends the program with the exit code of what went wrong, if nothing did so before: 70 where a law breaks.
 guarded :: IO () -> IO ()

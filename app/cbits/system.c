@@ -147,20 +147,24 @@ static void end_by(int signal) {
   raise(signal);
 }
 
+static struct sigaction interrupt;
+
 static void catch_signals(void) {
   static const int deadly[] = {SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
-  for (size_t k = 0; k < sizeof deadly / sizeof *deadly; k++) {
-    struct sigaction action;
+  struct sigaction ours, before;
+  memset(&ours, 0, sizeof ours);
+  ours.sa_handler = end_by;
+  ours.sa_flags = SA_RESETHAND | SA_NODEFER;
+  for (size_t k = 0; k < sizeof deadly / sizeof *deadly; k++)
     /* Who started the program may want a signal to be ignored, as nohup does. */
-    if (sigaction(deadly[k], NULL, &action) < 0 || action.sa_handler == SIG_IGN) continue;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = end_by;
-    action.sa_flags = SA_RESETHAND | SA_NODEFER;
-    sigaction(deadly[k], &action, NULL);
-  }
+    if (sigaction(deadly[k], NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(deadly[k], &ours, NULL);
+  sigaction(SIGINT, NULL, &interrupt);
   /* A file that may not become so large is told as any other fault of writing. */
   signal(SIGXFSZ, SIG_IGN);
 }
+
+/* The base library of GHC puts a handler of its own for interrupts before the program's main; this takes it away. */
+void viscomplex_heed_interrupts(void) { sigaction(SIGINT, &interrupt, NULL); }
 
 /* Memory ---------------------------------------------------------------------------------------------------------- */
 
