@@ -9,7 +9,7 @@
 -- Vertices with any number of corners are ordinary values.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 3; Pocchiola,
--- Vegter, The visibility complex.
+-- Vegter, The visibility complex. The handling of degenerate vertices is this project's.
 module Visibility.Complex
   ( -- * The complex
     complexOf

@@ -5,5 +5,5 @@ module Visibility.FormFactor
   ) where
 
 import Visibility.FormFactor.Exact (Measures)
-import Visibility.FormFactor.Exact hiding (Measures (..), byName, seenByRank)
+import Visibility.FormFactor.Exact hiding (Measures (..), byName, factorRows, groupSums)
 import Visibility.FormFactor.Rounded

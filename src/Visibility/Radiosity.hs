@@ -20,6 +20,7 @@ module Visibility.Radiosity
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Interval
 import Visibility.Exact.Rounding (Digits, digitCount, digits, defaultDigits)
@@ -106,14 +107,18 @@ radiosityOfElements closeness cut@(Refined scene elements) sums = do
   Solution bounds passes <- solve target system
   let balance = balanceOf system bounds
   for_ (take 1 (balanceViolations balance)) $ \(Violation law details) -> broken law details
-  let found = zipWith (litOf system) (V.toList (systemPatches system)) (V.toList (radiosityWithin bounds))
+  let unit = powerOfTwo (systemScale system)
+      lit patch within =
+        let (low, high) = ends (systemPlaces system) within
+         in Lit (patchElement patch) (patchMaterial patch) (patchOpen patch) (low * unit, high * unit)
+      found = zipWith lit (V.toList (systemPatches system)) (V.toList (radiosityWithin bounds))
   Right
     Radiosity
       { litElements = found
       , sideAverages = averages found
       , energy = balance
       , passCount = passes
-      , nonzeroFactors = factorCount (systemMatrix system)
+      , nonzeroFactors = U.length (columns (systemMatrix system))
       , worthyDigits = shownDigits
       }
   where
@@ -128,18 +133,6 @@ radiosityOfElements closeness cut@(Refined scene elements) sums = do
         , 1 / 10 ^ (digitCount wanted + 1)
         , wanted
         )
-
-litOf :: System -> Patch -> Interval -> Lit
-litOf system patch within =
-  Lit
-    { litElement = patchElement patch
-    , litMaterial = patchMaterial patch
-    , litOpen = patchOpen patch
-    , litRadiosity = (low * unit, high * unit)
-    }
-  where
-    (low, high) = ends (systemPlaces system) within
-    unit = powerOfTwo (systemScale system)
 
 -- | So many digits that an outward rounding of both ends costs less than a tenth of the tolerance.
 digitsFor :: Rational -> Digits

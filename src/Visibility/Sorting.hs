@@ -1,9 +1,8 @@
 -- | Sorting by counting: for numbers below a bound that is not much greater than their count.
 module Visibility.Sorting
   ( -- * Sorting
-    sortedBy
+    denseRanks
   , runs
-  , denseRanks
   , firstWhere
     -- * Buckets
   , Buckets (..)
@@ -23,13 +22,6 @@ import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Algorithms.Radix as Radix
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-
--- | The items in the order of a part of them, from 0 to just below the bound; items that agree in it keep their order.
---
--- /Cost/ O(m + n) for m items and a bound n.
-sortedBy :: U.Unbox a => Int -> (a -> Int) -> U.Vector a -> U.Vector a
-sortedBy bound part = U.modify (Radix.sortBy 1 bound (const part))
-{-# INLINE sortedBy #-}
 
 -- | By item, how many smaller items there are, equal ones counted once; items are numbered from 0.
 --
@@ -88,10 +80,7 @@ bucketsBy bound owners = Buckets starts members
 
 -- | The items in a bucket.
 bucketOf :: Buckets -> Int -> [Int]
-bucketOf (Buckets starts members) g = [fromIntegral (members U.! k) | k <- [from .. to - 1]]
-  where
-    from = fromIntegral (starts U.! g)
-    to = fromIntegral (starts U.! (g + 1))
+bucketOf buckets = map fromIntegral . U.toList . bucketSlice buckets
 {-# INLINE bucketOf #-}
 
 -- | The same, as a part of the table.

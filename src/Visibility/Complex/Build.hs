@@ -1,9 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | The tables of the complex, made along a sweep.
---
--- /Source/ incidences: Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, section 3;
--- the handling of degenerate vertices is this project's.
 module Visibility.Complex.Build
   ( build
   ) where

@@ -1,17 +1,8 @@
 -- | What must hold of the complex of a scene: named laws, each decided exactly from the tables and the scene,
 -- whatever made the tables.
 --
--- +-----------------------------------------------+-------------------------------------------+
--- | law about                                     | cost                                      |
--- +===============================================+===========================================+
--- | tables, links, labels, chains, numbers        | O(incidences)                             |
--- +-----------------------------------------------+-------------------------------------------+
--- | the vertices; measures                        | a sweep; a sum of roots per face          |
--- +-----------------------------------------------+-------------------------------------------+
--- | elementary pairs, rays                        | O(n) for each pair or stretch             |
--- +-----------------------------------------------+-------------------------------------------+
--- | sections                                      | O(n²) for each of eight directions        |
--- +-----------------------------------------------+-------------------------------------------+
+-- Most cost O(incidences). Those of the vertices and of measures cost a sweep, and a sum of roots for each face; those
+-- of pairs and rays O(n) for each pair or stretch; that of sections O(n²) for each of eight directions.
 module Visibility.Complex.Law
   ( Law (..)
   , laws

@@ -13,6 +13,7 @@ module Visibility.Complex.Locate
 
 import Data.List (minimumBy)
 import Data.Ord (comparing)
+import Visibility.Complex.Reading (Reading (..))
 import Visibility.Complex.Type
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
@@ -58,13 +59,9 @@ directionFrom scene eye c@(CornerId k)
   where
     there@(Direction x y) = eyeFrom scene eye c
 
--- | Where the curve of a point begins, at the start of the half turn.
-data Start
-  = -- | Beyond all corners, under the sky: to the left of them, or to the right.
-    LeftOfAll
-  | RightOfAll
-  | -- | In this face.
-    InFace !FaceId
+-- | The face in which the curve of a point begins, at the start of the half turn; and how it is read if it is that of
+-- the lines that miss everything: backwards to the left of all corners, forwards to the right of them.
+data Start = Start !FaceId !Reading
 
 -- | Where a point lies.
 data Place
@@ -124,13 +121,12 @@ locate complex point = (eye, if null here then elsewhere else OnCorners here)
     -- In the face under an object: that of the nearest corner to the right which has a face under it on its left, read
     -- at the end of the half turn.
     startBelow back
-      | isOpen && rank == 0 = LeftOfAll
-      | isOpen && rank == cornerCount scene = RightOfAll
+      | Just outer <- outerFace complex, rank == 0 = Start outer Backwards
+      | Just outer <- outerFace complex, rank == cornerCount scene = Start outer Forwards
       | otherwise = case filter ((== back) . faceFront complex) (concatMap onTheLeft (drop rank (corners scene))) of
-          face : _ -> InFace face
+          face : _ -> Start face Backwards
           [] -> broken "every free piece of a vertical is in a face" (show (rank, back))
     onTheLeft c = edgeFacesOn complex (lastEdgeOf complex c) Above
-    isOpen = surroundings scene == OpenSky
 
 -- | The first obstacle that holds a point of the solid, with its boundary; the enclosure if none does.
 --

@@ -31,7 +31,6 @@ module Visibility.Complex.Polygons
   , polygonLabel
   , polygonOfCorner
     -- * Half turns
-  , isBackwards
   , flankAfter
   ) where
 
@@ -135,14 +134,11 @@ arcFaces arc = [arcAcross arc, arcBack arc, arcFront arc]
 data Aspect = Aspect {aspectRegion :: !RegionId, aspectTurns :: !Int}
   deriving (Eq, Ord, Show)
 
--- | After an odd number of half turns, back and front, above and below are exchanged.
-isBackwards :: Int -> Bool
-isBackwards = odd
-
--- | A flank as it is read after so many half turns.
+-- | A flank as it is read after so many half turns: after an odd number of them, back and front, above and below are
+-- exchanged.
 flankAfter :: Int -> Flank -> Flank
 flankAfter turns flank
-  | isBackwards turns = if flank == Above then Below else Above
+  | odd turns = if flank == Above then Below else Above
   | otherwise = flank
 
 -- | A face: a connected set of maximal free segments with the same polygons at their ends.
@@ -204,7 +200,7 @@ polygonComplex complex = PolygonComplex complex (V.fromList (map region unions))
       | otherwise = Nothing
     faces = V.fromList (orderedFaces numbering)
     labels = V.map (\f -> (polygonLabel scene (faceBack complex f), polygonLabel scene (faceFront complex f))) faces
-    labelOf (k, turns) = (if isBackwards turns then swap else id) (labels V.! k)
+    labelOf (k, turns) = (if odd turns then swap else id) (labels V.! k)
     placesAt e quarter =
       [(faceNumber numbering f, maybe 0 fromEnum (readingAt read' e quarter)) | Just f <- [faceAt complex e quarter]]
     unions = components (V.length faces) [(a, b) | (a, b) <- joins complex placesAt, labelOf a == labelOf b]
@@ -274,10 +270,7 @@ joins complex placesAt =
     isLastThing others seen = others == 0 || (others == 1 && isNothing seen)
 
 quarterOn :: Flank -> End -> Quarter
-quarterOn Above Back = AboveBack
-quarterOn Above Front = AboveFront
-quarterOn Below Back = BelowBack
-quarterOn Below Front = BelowFront
+quarterOn flank end = toEnum (2 * fromEnum flank + fromEnum end)
 
 -- | Are there only convex polygons and thin walls of two corners under the sky, none of which touches another? A flat
 -- corner is convex. /Cost/ O(n).

@@ -27,16 +27,13 @@ data Incident = Incident !FaceId !EdgeId !Flank !Reading
 
 -- | All entries of all chains.
 chainIncidences :: Complex -> [Incident]
-chainIncidences complex = concatMap chainsOf (faceIds complex)
-  where
-    chainsOf f =
-      let Chain upper upperRest = upperChain complex f
-          Chain lower lowerRest = lowerChain complex f
-          incident flank reading = map (\e -> Incident f e flank reading)
-       in incident Below Forwards upper
-            <> incident Above Backwards upperRest
-            <> incident Above Forwards lower
-            <> incident Below Backwards lowerRest
+chainIncidences complex =
+  [ Incident f e flank reading
+  | f <- faceIds complex
+  , (Chain now later, below, above) <- [(upperChain complex f, Below, Above), (lowerChain complex f, Above, Below)]
+  , (es, flank, reading) <- [(now, below, Forwards), (later, above, Backwards)]
+  , e <- es
+  ]
 
 -- | By stretch and quarter: how the face there reads the stretch, by its chains. 'Nothing' where there is no face, or,
 -- in broken tables, if the stretch is not in the chains of the face.

@@ -49,21 +49,18 @@ lookAround complex viewpoint = case viewpoint of
     (eye, InFree start) -> Right (lookOf [turning (walk complex eye Nothing start)])
     (eye, OnSides pieces) -> Right (lookOf [pieceOf s (walk complex eye (Just s) start) | (s, start) <- pieces])
   where
-    turning steps = (map ahead steps <> map behind steps, length steps)
-    ahead (Step from to _ object) = Sight from to object
-    behind (Step from to object _) = Sight (reversed from) (reversed to) object
     -- Of a side's two rays along a line one is free, that which does not end at the side.
     pieceOf s steps
       | sideEnd scene s < sideStart s = (fronts <> backs, length steps)
       | otherwise = (backs <> fronts, length steps)
       where
-        fronts = [ahead step | step@(Step _ _ back _) <- steps, back == Side s]
-        backs = [behind step | step@(Step _ _ _ front) <- steps, front == Side s]
+        fronts = ahead [step | step@(Step _ _ back _) <- steps, back == Just (Side s)]
+        backs = behind [step | step@(Step _ _ _ front) <- steps, front == Just (Side s)]
     scene = complexScene complex
 
 -- | What is seen from all cones of free space in one place.
 fromCorners :: Complex -> [CornerId] -> Look
-fromCorners complex = lookOf . map (fromCorner complex)
+fromCorners complex = lookOf . map (turning . fromCorner complex)
 
 -- | The sights of all parts of what is seen, each part counter-clockwise; with the number of steps.
 lookOf :: [([Sight], Int)] -> Look
@@ -73,25 +70,31 @@ lookOf parts = Look (joined sights) (sum (map snd parts))
       [(own, _)] -> own
       _ -> sortBy (compareAround `on` sightFrom) (concatMap fst parts)
 
--- | The stretches of a corner in cyclic order hold its sights; with the number of the stretches.
-fromCorner :: Complex -> CornerId -> ([Sight], Int)
-fromCorner complex c = (concatMap ahead around <> concatMap behind around, length around)
+-- | A part of the half turn during which the line through a point stays in one face, or that through a corner on one
+-- stretch: from one direction to another, with the objects at back and front.
+data Step = Step !Direction !Direction !(Maybe Object) !(Maybe Object)
+
+-- | What is seen along the lines of a half turn and against them, and the number of steps.
+turning :: [Step] -> ([Sight], Int)
+turning steps = (ahead steps <> behind steps, length steps)
+
+ahead, behind :: [Step] -> [Sight]
+ahead steps = [Sight from to object | Step from to _ (Just object) <- steps]
+behind steps = [Sight (reversed from) (reversed to) object | Step from to (Just object) _ <- steps]
+
+-- | The stretches of a corner in cyclic order.
+fromCorner :: Complex -> CornerId -> [Step]
+fromCorner complex c =
+  map step (takeWhile (/= lastOne) (iterate (edgeAfter complex) (edgeAfter complex lastOne)) <> [lastOne])
   where
     lastOne = lastEdgeOf complex c
-    firstOne = edgeAfter complex lastOne
-    around = firstOne : takeWhile (/= firstOne) (iterate (edgeAfter complex) (edgeAfter complex firstOne))
-    ahead e = [Sight (edgeFrom complex e) (end e) f | Just f <- [snd (seen e)]]
-    behind e = [Sight (reversed (edgeFrom complex e)) (reversed (end e)) b | Just b <- [fst (seen e)]]
-    seen e = case edgeView complex e of
-      Tangent _ b f -> (Just b, Just f)
-      Ending Front b -> (Just b, Nothing)
-      Ending Back f -> (Nothing, Just f)
-      Buried _ -> (Nothing, Nothing)
-    end e = (if wrapsAround complex e then reversed else id) (edgeTo complex e)
-
--- | A part of the half turn during which the line through a point stays in one face: from one direction to another,
--- with the objects at back and front.
-data Step = Step !Direction !Direction !Object !Object
+    step e = case edgeView complex e of
+      Tangent _ b f -> through (Just b) (Just f)
+      Ending Front b -> through (Just b) Nothing
+      Ending Back f -> through Nothing (Just f)
+      Buried _ -> through Nothing Nothing
+      where
+        through = Step (edgeFrom complex e) ((if e == lastOne then reversed else id) (edgeTo complex e))
 
 -- Note [Leaving a face]
 -- ~~~~~~~~~~~~~~~~~~~~~
@@ -112,13 +115,8 @@ data Step = Step !Direction !Direction !Object !Object
 --
 -- /Cost/ O(log n) for each step. See Note [Leaving a face].
 walk :: Complex -> Eye -> Maybe SideId -> Start -> [Step]
-walk complex eye piece start = case start of
-  LeftOfAll -> go downwards outermost Backwards
-  RightOfAll -> go downwards outermost Forwards
-  InFace face -> go downwards face (readingAt downwards face Backwards)
+walk complex eye piece (Start begin side0) = go downwards begin (readingAt downwards begin side0)
   where
-    outermost = fromMaybe (broken "a point beside everything is under the sky" (show piece)) (outerFace complex)
-
     go from face reading = case sortBy (compareDirections `on` towards) (mapMaybe crossing [Above, Below]) of
       [] -> [stepTo upwards]
       Exit to next side : _
@@ -128,8 +126,8 @@ walk complex eye piece start = case start of
       where
         towards (Exit to _ _) = to
         stepTo to = case reading of
-          Forwards -> Step from to (faceBack complex face) (faceFront complex face)
-          Backwards -> Step from to (faceFront complex face) (faceBack complex face)
+          Forwards -> Step from to (Just (faceBack complex face)) (Just (faceFront complex face))
+          Backwards -> Step from to (Just (faceFront complex face)) (Just (faceBack complex face))
         crossing = leaving complex eye piece face reading from
 
     -- How a face is read just after a direction; the last argument says it of the lines that miss everything.

@@ -16,20 +16,26 @@ module Visibility.FormFactor.Exact
   , sideLength
     -- * Laws
   , closureDefect
-    -- * By the names of the file
+    -- * By groups of terms
   , byName
-  , seenByRank
+  , factorRows
+  , groupSums
   ) where
 
+import Control.Monad (forM_)
+import Data.Bits (Bits)
+import Data.Int (Int32)
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Point
 import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (decimal, defaultDigits)
-import Visibility.FormFactor.Sums
+import Visibility.Exact.SquareClass
 import Visibility.FormFactor.Terms
 import Visibility.Law (broken)
 import Visibility.Scene
@@ -90,15 +96,13 @@ exactSums scene terms groups =
 
 -- | The terms by the ranks of what the file calls objects.
 byName :: Scene -> Terms -> Groups
-byName scene = groupedBy (V.length (seenByRank scene)) (ranks scene)
+byName scene = groupedBy (n + 1) (U.snoc (U.map fromIntegral (facedSides scene)) n)
+  where
+    n = length (statedSides scene)
 
 -- | Sides of the file by name, then the sky.
 seenByRank :: Scene -> V.Vector Seen
 seenByRank scene = V.fromList (map TheSide (statedSides scene) <> [TheSky])
-
--- | By object: the rank of the side of the file that it is, or is a piece of; the sky last.
-ranks :: Scene -> U.Vector Int
-ranks scene = U.snoc (U.map fromIntegral (facedSides scene)) (length (statedSides scene))
 
 -- | A form factor that is not exactly zero. Shown as @\<0.1 to 1.3: 0.4142136\>@, rounded.
 data FormFactor = FormFactor
@@ -124,18 +128,24 @@ instance Show FormFactor where
 -- (reciprocity); both exact.
 formFactors :: Scene -> Measures -> [FormFactor]
 formFactors scene (Measures terms) =
-  [ value (seen V.! other) total
-  | (r, TheSide name) <- zip [0 ..] (V.toList seen)
+  [ value other total
+  | (_, name, row) <- factorRows scene groups
   , let value = formFactor scene name
-  , (other, g) <- rows r
+  , (other, g) <- row
   , let total = totals g
   , not (null (RootSum.terms total))
   ]
   where
-    seen = seenByRank scene
     groups = byName scene terms
-    rows = rowsOf (V.length seen) groups
     totals = groupSums scene terms groups
+
+-- | The sides of the file by name, each with its rank, and with what it reaches and the group of both.
+factorRows :: Scene -> Groups -> [(Int, SideName, [(Seen, Int)])]
+factorRows scene groups =
+  [(r, name, [(seen V.! other, g) | (other, g) <- rows r]) | (r, TheSide name) <- zip [0 ..] (V.toList seen)]
+  where
+    seen = seenByRank scene
+    rows = rowsOf (V.length seen) groups
 
 -- | The form factor from a side to something seen, from the measure of the lines between them in the file's units.
 formFactor :: Scene -> SideName -> Seen -> RootSum -> FormFactor
@@ -166,3 +176,67 @@ closureDefect scene sums =
         | ((a, b), total) <- statedMeasures scene sums
         , TheSide s <- [a, b]
         ]
+
+-- Where places are small, a distance is three machine words: as integers of any size for all scenes, @factors --exact@
+-- of 1 000 quadrilaterals takes 1.3 times as long and 1.2 times the memory.
+
+-- | The measure of a group, in the file's units, terms merged.
+--
+-- /Cost/ that of 'RootSum.mergedSum'. Where places are small, all distances are found when the first one is needed, and
+-- kept in three words each; a sum asked for again is added up again, which takes less than to keep them all. Where they
+-- are large, distances and sums are kept once they are found.
+groupSums :: Scene -> Terms -> Groups -> Int -> RootSum
+groupSums scene terms groups = case pointPlaces (scenePoints scene) of
+  SmallPlaces xs -> smallSum (smallDistances xs)
+  LargePlaces points ->
+    let distances = V.generate (slotCount terms) (largeDistance points . slotEnds terms)
+     in (V.generate (groupCount groups) (largeSum distances) V.!)
+  where
+    scale = latticeScale (sceneLattice scene)
+
+    smallSum distances g = RootSum.mergedSum scale (groupTerms weigh [] groups g)
+      where
+        weigh sums slot k =
+          let at part = distances U.! (3 * slot + part)
+           in (toInteger (k * at 0), PreparedRoot (at 1) 1 (at 2)) : sums
+    -- Those of one distance lie together in memory.
+    smallDistances xs = U.create $ do
+      table <- M.new (3 * slotCount terms)
+      forM_ [0 .. slotCount terms - 1] $ \slot -> do
+        let (n, PreparedRoot key s m) = smallDistance xs (slotEnds terms slot)
+        M.write table (3 * slot) (n * s)
+        M.write table (3 * slot + 1) key
+        M.write table (3 * slot + 2) m
+      pure table
+
+    largeSum distances g =
+      RootSum.mergedSum (scale * common) [(n * (common `quot` w), root) | Distance n w root <- found]
+      where
+        found = groupTerms weigh [] groups g
+        weigh sums slot k = let Distance n w root = distances V.! slot in Distance (toInteger k * n) w root : sums
+        common = foldl' (\sofar (Distance _ w _) -> if w == 1 then sofar else lcm sofar w) 1 found
+
+-- | A distance on the lattice: a multiple of a root, the factor a fraction.
+data Distance = Distance !Integer !Integer !(PreparedRoot Integer)
+
+-- | The distance between two corners in lengths of the primitive lattice vector along their line: between whole points it
+-- is an integer multiple of one root.
+largeDistance :: V.Vector LatticePoint -> (Int, Int) -> Distance
+largeDistance points (a, b) = let (n, root) = inPrimitives x y in Distance n w root
+  where
+    Way (Vector2 x y) w = (points V.! a) `way` (points V.! b)
+
+-- | The same of whole points with coordinates below 2^31. So the square of a distance is below 2^63.
+smallDistance :: U.Vector Int32 -> (Int, Int) -> (Int, PreparedRoot Int)
+smallDistance xs (a, b) = inPrimitives (along 0) (along 1)
+  where
+    along k = fromIntegral (xs U.! (2 * b + k)) - fromIntegral (xs U.! (2 * a + k)) :: Int
+{-# INLINE smallDistance #-}
+
+-- | A vector, which is not 0, as a multiple of a primitive one, and the length of that.
+inPrimitives :: (Integral a, Bits a) => a -> a -> (a, PreparedRoot a)
+inPrimitives x y = (n, preparedRoot (px * px + py * py))
+  where
+    n = gcd x y
+    (px, py) = (x `quot` n, y `quot` n)
+{-# INLINE inPrimitives #-}

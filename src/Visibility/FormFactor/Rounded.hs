@@ -19,7 +19,6 @@ import Visibility.Exact.RootSum (RootSum)
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding
 import Visibility.FormFactor.Exact
-import Visibility.FormFactor.Sums
 import Visibility.FormFactor.Terms
 import Visibility.Scene
 
@@ -75,20 +74,17 @@ data Rounder a = Rounder !(Sum2 -> Double2 -> Maybe a) !(RootSum -> a)
 roundedFactors :: Rounder a -> (a -> RootSum -> b) -> Scene -> Measures -> [FactorRow b]
 roundedFactors (Rounder inDoubles inRoots) told scene (Measures terms) =
   [ FactorRow name (catMaybes (zipWith listed reached quick)) (length (filter isNothing quick))
-  | (r, TheSide name) <- zip [0 ..] (V.toList seen)
-  , let reached = rows r
-        quick = map (\(_, g) -> inDoubles (sumAt g) (sideLengths r)) reached
+  | (r, name, reached) <- factorRows scene groups
+  , let quick = map (\(_, g) -> inDoubles (sumAt g) (sideLengths r)) reached
         listed (other, g) found = do
           x <- maybe (exactly (formFactor scene name) other g) Just found
-          Just (seen V.! other, told x (totals g))
+          Just (other, told x (totals g))
   ]
   where
-    seen = seenByRank scene
     groups = byName scene terms
-    rows = rowsOf (V.length seen) groups
     exactly value other g
       | null (RootSum.terms total) = Nothing
-      | otherwise = Just $! inRoots (factorValue (value (seen V.! other) total))
+      | otherwise = Just $! inRoots (factorValue (value other total))
       where
         total = totals g
     totals = groupSums scene terms groups

@@ -2,9 +2,6 @@
 
 -- | What each vertex of the complex adds to the measures of the lines between two objects: taken from the stream of
 -- vertices.
---
--- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2
--- (measure of a face as an area in the dual); Hottel (string rule).
 module Visibility.FormFactor.Terms
   ( -- * Terms
     Terms
@@ -66,9 +63,6 @@ slotEnds terms slot = let (a, b) = slots terms U.! slot in (fromIntegral a, from
 {-# INLINE slotEnds #-}
 
 -- | The terms of a stream of vertices, which must be that of the whole half turn.
---
--- /Degenerate cases/ none: collinear corners, sides on a line and flat corners are summed like all else; no general
--- position is needed.
 --
 -- /Cost/ O(1) per elementary pair; live memory O(n) besides the result, which has up to six terms for each of them.
 termsInPieces :: Scene -> [Piece] -> Terms
@@ -183,7 +177,8 @@ groupTerms combine begin groups g = U.foldl' step begin (U.slice from (to - from
 --
 -- /Cost/ O(groups + bound) when first used, then O(1) for each group.
 rowsOf :: Int -> Groups -> Int -> [(Int, Int)]
-rowsOf bound groups = \r -> [(fst (pair g), g) | g <- bucketOf bySecond r] <> [(snd (pair g), g) | g <- bucketOf byFirst r]
+rowsOf bound groups = \r ->
+  [(fst (pair g), g) | g <- bucketOf bySecond r] <> [(snd (pair g), g) | g <- bucketOf byFirst r]
   where
     pair = groupPair groups
     byFirst = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . fst . pair))

@@ -4,10 +4,9 @@ module Visibility.Mesh.Bound
   ) where
 
 import Data.List (foldl', sortOn)
-import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, maybeToList)
+import Data.Maybe (fromMaybe, isJust, maybeToList)
 import qualified Data.Set as Set
 import Data.Tuple (swap)
 import qualified Data.Vector as V
@@ -16,9 +15,9 @@ import Visibility.Mesh.Span
 import Visibility.Mesh.Type
 import Visibility.Scene
 
--- | What a sequence along a side consists of: ends of pieces, and break points, by their parameters. Break points that
--- are alike otherwise go by their last number.
-data Stop = PieceEnd !Rational | Break !Rational !Rank !Rational
+-- | What a sequence along a side consists of: ends of pieces, and break points, by their parameters. Break points have
+-- a rank, and those that are alike otherwise go by their last number.
+data Stop = Stop {stopAt :: !Rational, stopBreak :: !(Maybe (Rank, Rational))}
 
 -- | What is dropped first: what is no shadow limit.
 data Rank = Minor | Major
@@ -57,9 +56,9 @@ bounded most mesh = (part (\gone p -> not (gone p)) , part id)
     low s = let (a, b) = endsOf s in min a b
     endsOf (SideId s) = let piece = spans V.! s in (spanStart piece, spanEnd piece)
     stops among s =
-      PieceEnd (min a b)
-        : [Break t rank (among t) | (t, rank) <- Map.toAscList (ranks s)]
-          <> [PieceEnd (max a b)]
+      Stop (min a b) Nothing
+        : [Stop t (Just (rank, among t)) | (t, rank) <- Map.toAscList (ranks s)]
+          <> [Stop (max a b) Nothing]
       where
         (a, b) = endsOf s
     isSecond s = or [sideName scene other < sideName scene s | Just other <- [behind s]]
@@ -79,12 +78,12 @@ otherFace scene = \s -> Map.lookup (swap (ends s)) faces
 
 -- | The parameters of what is dropped of a sequence along one side.
 dropping :: ElementCount -> [Stop] -> [Rational]
-dropping most stops = go excess initial (IntSet.fromDistinctAscList [0 .. length stops - 1])
+dropping most stops = go (breaks + (length stops - breaks) `div` 2 - countedElements most) initial everything
   where
-    excess = length [() | Break {} <- stops] + length [() | PieceEnd _ <- stops] `div` 2 - countedElements most
-    places = IntMap.fromDistinctAscList (zip [0 ..] stops)
-    initial = foldl' (\queue i -> insert i everything queue) Set.empty (IntMap.keys places)
-    everything = IntMap.keysSet places
+    breaks = length (filter (isJust . stopBreak) stops)
+    places = V.fromList stops
+    initial = foldl' (\queue i -> insert i everything queue) Set.empty (IntSet.toAscList everything)
+    everything = IntSet.fromDistinctAscList [0 .. length stops - 1]
     go left queue present
       | left <= 0 = []
       | otherwise = case Set.minView queue of
@@ -97,13 +96,7 @@ dropping most stops = go excess initial (IntSet.fromDistinctAscList [0 .. length
     insert i present = maybe id Set.insert (entry i present)
     remove i present = maybe id Set.delete (entry i present)
     -- Its rank, the length of the element that its removal leaves, what decides among such.
-    entry i present = case IntMap.lookup i places of
-      Just (Break _ rank among) -> Just (rank, next - previous, among, i)
-        where
-          previous = maybe 0 at (IntSet.lookupLT i present)
-          next = maybe 1 at (IntSet.lookupGT i present)
-      _ -> Nothing
-    at i = case IntMap.lookup i places of
-      Just (Break t _ _) -> t
-      Just (PieceEnd t) -> t
-      Nothing -> 0
+    entry i present = do
+      (rank, among) <- stopBreak (places V.! i)
+      Just (rank, maybe 1 at (IntSet.lookupGT i present) - maybe 0 at (IntSet.lookupLT i present), among, i)
+    at i = stopAt (places V.! i)

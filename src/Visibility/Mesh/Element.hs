@@ -1,8 +1,6 @@
 -- | The elements that a mesh cuts sides into, and the scene in which they are the sides.
 --
 -- The form factors of elements are those of a scene with flat corners at the break points, swept like any other.
---
--- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
 module Visibility.Mesh.Element
   ( Element (..)
   , elementText

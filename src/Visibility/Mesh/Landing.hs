@@ -2,8 +2,6 @@
 
 -- | Where the lines of vertices land on sides: taken from the stream of vertices, and sorted by side, before any
 -- coordinate is computed.
---
--- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, §4.2.
 module Visibility.Mesh.Landing
   ( Landings
   , landings

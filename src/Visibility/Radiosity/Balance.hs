@@ -51,13 +51,10 @@ balanceOf system (Enclosure radiosity arriving) =
 -- /Laws/ empty for bounds that hold.
 balanceViolations :: Balance -> [Violation]
 balanceViolations (Balance (low, high) (absorbedLow, absorbedHigh) (lostLow, lostHigh)) =
-  ensure "what is emitted is absorbed or lost to the sky" details meet
+  ensure "what is emitted is absorbed or lost to the sky" (unlines [emitted, absorbed, lost]) meet
   where
     meet = low <= absorbedHigh + lostHigh && absorbedLow + lostLow <= high
-    details =
-      unlines
-        [ "emitted  " <> shown low high
-        , "absorbed " <> shown absorbedLow absorbedHigh
-        , "lost     " <> shown lostLow lostHigh
-        ]
+    emitted = "emitted  " <> shown low high
+    absorbed = "absorbed " <> shown absorbedLow absorbedHigh
+    lost = "lost     " <> shown lostLow lostHigh
     shown a b = show (fromRational a :: Double) <> " to " <> show (fromRational b :: Double)

@@ -20,7 +20,6 @@ import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Interval
-import Visibility.Radiosity.Relax (rowDot)
 import Visibility.Radiosity.System
 import Visibility.Scene.Raw (Material (..))
 

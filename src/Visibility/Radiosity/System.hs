@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The equations of radiosity of a scene: elements, and the light that goes from one to another.
 module Visibility.Radiosity.System
   ( -- * The system
@@ -6,12 +8,13 @@ module Visibility.Radiosity.System
     -- ** The matrix
   , Matrix (..)
   , Precision (..)
-  , factorCount
+  , rowDot
     -- * From form factors
   , fromNearest
   , fromExact
   ) where
 
+import Control.Monad.ST (ST)
 import Data.Bits (shiftL)
 import Data.Int (Int32)
 import Data.List (foldl', scanl')
@@ -19,6 +22,7 @@ import qualified Data.IntSet as IntSet
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Interval
 import Visibility.Exact.RootSum (RootSum)
@@ -92,9 +96,17 @@ rowColumns matrix i = U.slice start (rowStarts matrix U.! (i + 1) - start) (colu
   where
     start = rowStarts matrix U.! i
 
--- | How many factors are not zero.
-factorCount :: Matrix -> Int
-factorCount = U.length . columns
+-- | A row of the matrix by a vector.
+rowDot :: Matrix -> M.STVector s Double -> Int -> ST s Double
+rowDot matrix x i = go (rowStarts matrix U.! i) 0
+  where
+    end = rowStarts matrix U.! (i + 1)
+    go !k !total
+      | k == end = pure total
+      | otherwise = do
+          value <- M.read x (fromIntegral (columns matrix U.! k))
+          go (k + 1) (total + factorDoubles matrix U.! k * value)
+{-# INLINE rowDot #-}
 
 -- | The equations with form factors as Doubles.
 --

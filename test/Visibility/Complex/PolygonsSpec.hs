@@ -322,7 +322,7 @@ named rename made = byNames <$> outlines made
         lineName = fmap (\(LineId i) -> map (nameOf . tangencyCorner) (lineTangencies (tangentLines found V.! i)))
         arcName arc = (arcPolygon arc, arcFlank arc, lineName (arcFirst arc))
         ends (Aspect (RegionId r) turns) =
-          (if isBackwards turns then swap else id) (regionBack region, regionFront region)
+          (if odd turns then swap else id) (regionBack region, regionFront region)
           where
             region = regions made V.! r
         -- A closed chain may begin anywhere.

@@ -1,7 +1,7 @@
 module Visibility.Complex.WalkSpec (spec) where
 
 import Data.List (sort)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isNothing, mapMaybe)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
@@ -58,7 +58,7 @@ spec = do
         let scene = sampleScene s
             complex = complexOf scene
          in forAll (somePoint scene) $ \eye ->
-              let kind = kindOf (snd (locate complex eye))
+              let kind = kindOf complex (snd (locate complex eye))
                in foldr (\k -> cover 1 (k == kind) (show k)) (property True) [minBound ..]
     it "makes the same visibility polygon as an angular scan" $
       property $ \(AnyScene s) ->
@@ -107,14 +107,13 @@ seesLikeScanFromAll scene = conjoin (map (sameFrom (complexOf scene)) (pointsOfI
 data Kind = AtACorner | OnASide | OnAWall | InASolid | InTheFree | BesideAll
   deriving (Eq, Ord, Show, Enum, Bounded)
 
-kindOf :: Place -> Kind
-kindOf place = case place of
+kindOf :: Complex -> Place -> Kind
+kindOf complex place = case place of
   OnCorners _ -> AtACorner
   OnSides [_] -> OnASide
   OnSides _ -> OnAWall
   InSolid _ -> InASolid
-  InFree (InFace _) -> InTheFree
-  InFree _ -> BesideAll
+  InFree (Start face _) -> if isNothing (faceFirst complex face) then BesideAll else InTheFree
 
 -- | Is what is seen from a point the same as by scanning?
 sameFrom :: Complex -> Point -> Property

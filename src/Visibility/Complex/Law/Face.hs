@@ -3,12 +3,13 @@ module Visibility.Complex.Law.Face
   ( faceLaws
   ) where
 
-import Data.Maybe (isJust)
+import Data.Maybe (isJust, isNothing)
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Reading
 import Visibility.Complex.Table
 import Visibility.Complex.Type
+import Visibility.Count (facesBegun)
 import Visibility.Exact.Predicate
 import Visibility.Scene
 
@@ -40,8 +41,8 @@ faceLaws =
       \lower chain is closed: each stretch begins where the one before it ends, and the last stretch of each part, no \
       \other one, goes on over the end of the half turn. In a room all faces are bounded."
       $ \complex ->
-        let outer = filter (not . isBounded complex) (faceIds complex)
-         in [ show (length outer) <> " faces are not bounded: " <> show outer | length outer /= outerCount complex]
+        let outer = [f | f <- faceIds complex, isNothing (faceFirst complex f) || isNothing (faceLast complex f)]
+         in [ show (length outer) <> " faces are not bounded: " <> show outer | length outer /= length (outerFace complex)]
               <> [faceLabel complex f <> ": " <> fault | FaceId f <- outer, fault <- outerChain complex (FaceId f)]
   , lawOf
       "an elementary pair begins one face and ends one"
@@ -54,22 +55,19 @@ faceLaws =
             (begun, ended) = (tally faceFirst, tally faceLast)
          in [ vertexLabel complex v <> " begins " <> show b <> " faces and ends " <> show e <> ", not " <> show want
             | v <- [0 .. vertexTotal complex - 1]
-            , let (b, e, want) = (begun U.! v, ended U.! v, facesBegun complex v)
+            , let want = facesBegun (complexScene complex) (vertexAt complex (VertexId v))
+            , let (b, e) = (begun U.! v, ended U.! v)
             , b /= want || e /= want
             ]
   , lawOf
       "the numbers of vertices, edges and faces fit"
-      "The bounded faces are as many as elementary pairs, those between the two ends of an untouched thin wall counted \
-      \twice, and V − E − B + F is W + 1 under the sky and W in a room: V vertices, E edges, B buried stretches, F \
+      "V − E − B + F is W + 1 under the sky and W in a room: V vertices, E edges, B buried stretches, F \
       \faces, W straight walls that nothing touches, with corners between their ends or not. Contacts change nothing \
       \else: a corner in several cones of free space counts as often."
       $ \complex ->
-        let begun = sum (map (facesBegun complex) [0 .. vertexTotal complex - 1])
-            bounded = length (filter (isBounded complex) (faceIds complex))
-            euler = vertexTotal complex - stretchTotal complex + faceTotal complex
-            expected = length (straightWalls (complexScene complex)) + outerCount complex
-         in [show bounded <> " bounded faces, " <> show begun <> " begun by pairs" | bounded /= begun]
-              <> ["V − E − B + F is " <> show euler <> ", not " <> show expected | euler /= expected]
+        let euler = vertexTotal complex - stretchTotal complex + faceTotal complex
+            expected = length (straightWalls (complexScene complex)) + length (outerFace complex)
+         in ["V − E − B + F is " <> show euler <> ", not " <> show expected | euler /= expected]
   ]
 
 incidence :: Complex -> [String]
@@ -99,13 +97,6 @@ incidence complex =
 -- | By number below a bound, how often it comes.
 counted :: Int -> [Int] -> U.Vector Int
 counted bound found = U.accum (+) (U.replicate bound 0) [(i, 1) | i <- found]
-
-isBounded :: Complex -> FaceId -> Bool
-isBounded complex f = isJust (faceFirst complex f) && isJust (faceLast complex f)
-
--- | How many faces have no vertex at their ends.
-outerCount :: Complex -> Int
-outerCount complex = case surroundings (complexScene complex) of OpenSky -> 1; Room -> 0
 
 -- | What is wrong with the chains of a face that begins and ends at some vertices.
 boundedChains :: Complex -> FaceId -> Int -> Int -> [String]
@@ -153,13 +144,6 @@ raw (EdgeId e) = e
 
 lastOf :: [a] -> [a]
 lastOf xs = drop (length xs - 1) xs
-
--- | The faces that a vertex begins.
-facesBegun :: Complex -> Int -> Int
-facesBegun complex v = sum (map faces (pairsOf complex (cornersOf complex v)))
-  where
-    scene = complexScene complex
-    faces (p, q) = if nextCorner scene p == q && previousCorner scene p == q then 2 else 1
 
 -- | The walks around walls that lie on one line: the first corner of each.
 straightWalls :: Scene -> [CornerId]

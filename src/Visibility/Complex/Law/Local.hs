@@ -19,39 +19,7 @@ import Visibility.Scene.Cone
 import Visibility.Sweep.Vertical (solid)
 import Visibility.View (End (..), Flank (..), View (..))
 
--- Note [Degrees]
--- ~~~~~~~~~~~~~~
--- Count, at a direction just before a vertex, the faces at the curve of each of its corners: 3, 2 or 1 where 2, 1 or
--- none of its two rays are free, in sum S. A face counted at two curves lies between them and shrinks to nothing at
--- the vertex: the vertex closes it. No face is counted three times, as at one direction it is one interval of
--- offsets. So with C faces closed, S − C faces are there just before, and S − 2C of them go on. Just after the vertex
--- as many are opened as were closed (each elementary pair closes one and opens one, the pair of a thin wall's ends
--- two and two), and the same faces go on. So there are S − 2C + C + C = S faces at the vertex, and the same sum S
--- just after it. A face that comes back after half a turn, read backwards, counts as another one.
---
--- Edges: one for each corner and each of the two moments at which one of its rays is free at least.
---
--- +---------------------------------------+-------+-------+
--- | vertex of two corners                 | edges | faces |
--- +=======================================+=======+=======+
--- | tangent and tangent, or a thin wall   | 4     | 6     |
--- +---------------------------------------+-------+-------+
--- | tangent and ending                    | 4     | 5     |
--- +---------------------------------------+-------+-------+
--- | ending and ending                     | 4     | 4     |
--- +---------------------------------------+-------+-------+
--- | side between two convex corners       | 4     | 5     |
--- +---------------------------------------+-------+-------+
--- | side between a convex and a reflex one| 3     | 4     |
--- +---------------------------------------+-------+-------+
--- | side between two reflex corners       | 2     | 3     |
--- +---------------------------------------+-------+-------+
---
--- On a side's line, the convex corner's rays are both free on one side of the vertex, one of them on the other. A
--- reflex corner has one free ray at one moment and none at the other, and it is buried when the other end sees past
--- it: so 3 + 2 for two convex corners, 2 + 2 and 1 + 3 for a convex and a reflex one, and 2 + 1 for two reflex ones.
-
--- | /Cost/ O(stretches) each.
+-- | The numbers of the second law are derived in docs\/complex.md. /Cost/ O(stretches) each.
 localLaws :: [Law Complex]
 localLaws =
   [ lawOf

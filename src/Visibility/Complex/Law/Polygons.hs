@@ -6,8 +6,7 @@ module Visibility.Complex.Law.Polygons
   ) where
 
 import Control.Monad (foldM)
-import Data.Function (on)
-import Data.List (groupBy, nub, sort, sortBy)
+import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import qualified Data.Vector as V
@@ -73,8 +72,15 @@ polygonLaws =
          in orElse (show (vs, es, fs)) (n < 2 || not (isGeneral found) || fits)
   , onOutlines
       "quotient: cuts"
-      "At every direction between those of vertices, 2n edges separate 3n + 1 faces, as often as they are met."
-      cuts
+      "At every direction between those of vertices, 2n edges separate 3n + 1 faces, as often as they are met. A \
+      \vertex opens as many of each as it closes, by other laws; so they are counted at the end of the half turn."
+      $ \made found ->
+        let n = length (scenePolygons (complexScene (sideComplex made)))
+            turned = sum . map (arcTurns (sideComplex made))
+            edges = turned (V.toList (arcs found))
+            -- The unbounded face is met above all and below all, and has no upper chain.
+            bounded = turned [arcOf found a | (a, _) <- concatMap upperArcs (boundaries found)]
+         in orElse (show (edges, bounded)) (n < 1 || (edges, bounded) == (2 * n, 3 * n - 1))
   ]
   where
     onOutlines name statement check = law name statement (\made -> maybe [] (check made) (outlines made))
@@ -106,12 +112,6 @@ arcOf found (ArcId a) = arcs found V.! a
 -- | What edges are counted for, by what they have in common.
 arcsBy :: Ord k => (Arc -> Maybe k) -> (Arc -> [a]) -> Outlines -> Map.Map k [a]
 arcsBy key counted found = Map.fromListWith (flip (<>)) [(k, counted a) | a <- V.toList (arcs found), Just k <- [key a]]
-
--- | How many things have a line as their end of one kind.
-tally :: (a -> Maybe LineId) -> V.Vector a -> LineId -> Int
-tally end things = \i -> Map.findWithDefault 0 i times
-  where
-    times = Map.fromListWith (+) [(i, 1) | Just i <- map end (V.toList things)]
 
 lineText :: PolygonComplex -> TangentLine -> String
 lineText made = vertexLabel (sideComplex made) . (\(VertexId v) -> v) . lineVertex
@@ -179,7 +179,7 @@ edgeFaces made found = concatMap check (arcs found)
     regionOf = Map.fromList (concat (zipWith members [0 ..] (V.toList (regions made))))
     members r region = [(f, RegionId r) | f <- regionFaces region]
     seenAs' (Aspect (RegionId r) turns)
-      | isBackwards turns = (regionFront region, regionBack region)
+      | odd turns = (regionFront region, regionBack region)
       | otherwise = (regionBack region, regionFront region)
       where
         region = regions made V.! r
@@ -205,7 +205,7 @@ edgeFaces made found = concatMap check (arcs found)
           where
             text = arcText arc <> " at " <> let EdgeId k = e in stretchLabel complex k
             faces
-              | isBackwards turns = map (later turns) [arcAcross arc, arcFront arc, arcBack arc]
+              | odd turns = map (later turns) [arcAcross arc, arcFront arc, arcBack arc]
               | otherwise = map (later turns) (arcFaces arc)
 
 curves :: Check
@@ -265,31 +265,9 @@ numbersFit made found =
     <> [ lineText made line
        | (i, line) <- numberedLines found
        , let expected = length (touchedBy line) - 1 + wallsBetween line
-       , opened i /= expected || closed i /= expected
+       , any ((/= expected) . Map.findWithDefault 0 i) ends
        ]
   where
     (vs, es, fs) = sizes made found
-    (opened, closed) = (tally firstLine (boundaries found), tally lastLine (boundaries found))
-
-cuts :: Check
-cuts made found =
-  [ place <> ": " <> show (edges, faces)
-  | n >= 1
-  , (place, edges, faces) <- scanl passing ("before all vertices", edgesAt, facesAt) groups
-  , edges /= 2 * n || faces /= 3 * n - 1
-  ]
-  where
-    complex = sideComplex made
-    n = length (scenePolygons (complexScene complex))
-    edgesAt = sum (fmap (arcTurns complex) (arcs found))
-    -- The bounded faces, as often as the end of the half turn cuts them. The unbounded one is met above all and below
-    -- all.
-    facesAt = sum [arcTurns complex (arcOf found a) | (a, _) <- concatMap upperArcs (boundaries found)]
-    groups = groupBy (\a b -> byDirection a b == EQ) (sortBy byDirection (numberedLines found))
-    byDirection = compareLines complex `on` ((\(VertexId v) -> v) . lineVertex . snd)
-    passing (_, edges, faces) group = (place, edges + change begun ended, faces + change opened closed)
-      where
-        change up down = sum [up i - down i | (i, _) <- group]
-        place = concat ["after " <> lineText made line | (_, line) <- take 1 group]
-    (begun, ended) = (tally arcFirst (arcs found), tally arcLast (arcs found))
-    (opened, closed) = (tally firstLine (boundaries found), tally lastLine (boundaries found))
+    ends = map (\end -> Map.fromListWith (+) [(i, 1) | Just i <- map end bounded]) [firstLine, lastLine]
+    bounded = V.toList (boundaries found)
