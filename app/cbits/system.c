@@ -1,6 +1,6 @@
 /* What the program must be able to do at any moment, in the middle of a collection of memory too, and what the runtime
  * system of GHC lets nobody do from within Haskell: keep to a limit of memory, end by a signal, and leave no half of a
- * file behind. Output.hs and Limit.hs are the other side.
+ * file behind. Output.hs is the other side.
  */
 #define _GNU_SOURCE
 #include <Rts.h>
