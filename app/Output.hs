@@ -6,6 +6,7 @@ module Output
   , written
     -- * Messages
   , complain
+  , visible
   , ends
   , orComplain
     -- * The run
@@ -27,8 +28,8 @@ import Foreign.C (CInt (..), CSize (..), CString, throwErrnoIfMinus1, throwErrno
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding, utf8)
 import Numeric (showHex)
 import System.Exit (ExitCode (..), exitWith)
-import System.IO (hFlush, stdout)
-import System.IO.Error (tryIOError)
+import System.IO (hFlush, hSetEncoding, stderr, stdout)
+import System.IO.Error (ioeGetHandle, tryIOError)
 import System.Posix.Internals (withFilePath)
 import Visibility.Error
 
@@ -51,7 +52,9 @@ prepare :: IO ()
 prepare = do
   heedInterrupts
   setLocaleEncoding utf8
-  mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
+  bytes <- mkTextEncoding "UTF-8//ROUNDTRIP"
+  setFileSystemEncoding bytes
+  hSetEncoding stderr bytes
 
 -- | Ends the program with the exit code of what went wrong, if nothing did so before: 70 where a law breaks.
 guarded :: IO () -> IO ()
@@ -61,7 +64,9 @@ guarded work = handle fault (work >> flushed)
     flushed = orComplain "standard output" (hFlush stdout)
     fault exception = case exception of
       _ | Just code <- fromException exception -> flushed >> throwIO (code :: ExitCode)
-      _ | Just trouble <- fromException exception -> orComplain "standard output" (ioError trouble)
+      _ | Just trouble <- fromException exception ->
+            -- Nobody can be told of a mistake in the arguments.
+            if ioeGetHandle trouble == Just stderr then ends WrongUsage else orComplain "standard output" (ioError trouble)
       _ | Just HeapOverflow <- fromException exception -> exhausted 0
       _ | Just StackOverflow <- fromException exception -> exhausted 0
       _ -> complain (lines (displayException exception)) >> ends LawBroken
@@ -74,12 +79,16 @@ broken exception
   | isJust (fromException exception :: Maybe SomeAsyncException) = Nothing
   | otherwise = Just exception
 
--- | Writes messages to standard error, a line each. What would not be seen in them, or do something to a terminal, is
--- shown as an escape.
+-- | Writes messages to standard error, a line each, 'visible'.
 complain :: [String] -> IO ()
 complain messages = void (tryIOError (put 2 (toLazyByteString (foldMap line messages))))
   where
-    line message = stringUtf8 ("viscomplex: " <> concatMap shown message <> "\n")
+    line message = stringUtf8 ("viscomplex: " <> visible message <> "\n")
+
+-- | A text in which what would not be seen, or would do something to a terminal, is shown as an escape.
+visible :: String -> String
+visible = concatMap shown
+  where
     shown c
       | isPrint c = [c]
       | c == '\n' = "\\n"
