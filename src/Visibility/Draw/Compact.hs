@@ -10,8 +10,8 @@ module Visibility.Draw.Compact
   , compactPath
   ) where
 
-import Data.Char (isAlpha, isDigit)
-import Data.List (mapAccumL)
+import Data.Char (digitToInt, isAlpha)
+import Data.List (dropWhileEnd, mapAccumL)
 import Data.Text.Lazy (Text)
 import qualified Data.Text.Lazy as Text
 
@@ -27,7 +27,7 @@ compactPaths document = case Text.splitOn opening document of
 -- | The same path with places rounded to hundredths of a pixel, and without what readers of SVG do without: leading and
 -- trailing zeros, spaces, commands that are repeated.
 --
--- /Requires/ commands @M@, @Z@ and relative @l@, @h@, @v@ and @c@, numbers with at most 4 decimals.
+-- /Requires/ commands @M@, @Z@ and relative @l@, @h@, @v@ and @c@, numbers with 4 decimals.
 --
 -- /Laws/ every place is off by half a hundredth at most, in both coordinates: what is rounded are places, not ways
 -- between them, so that nothing adds up. Places that are the same stay so.
@@ -40,24 +40,24 @@ data Pen = Pen !(Int, Int) !(Int, Int) !Char
 data Command = Command !Char ![Int]
 
 written :: Pen -> Command -> (Pen, String)
-written (Pen here start before) (Command letter numbers) = case (letter, numbers) of
-  ('M', [x, y]) -> (Pen (x, y) (x, y) 'M', said [hundredths x, hundredths y])
-  ('h', [dx]) -> let to = here `plus` (dx, 0) in (Pen to start letter, said [fst (way to)])
-  ('v', [dy]) -> let to = here `plus` (0, dy) in (Pen to start letter, said [snd (way to)])
-  ('Z', _) -> (Pen start start 'Z', "Z")
-  _ ->
-    let tos = map (here `plus`) (pairs numbers)
-     in (Pen (foldl (const id) here tos) start letter, said (concat [[dx, dy] | (dx, dy) <- map way tos]))
+written (Pen here start before) (Command letter numbers)
+  | letter == 'Z' = (Pen start start letter, "Z")
+  | otherwise = (Pen end (if letter == 'M' then end else start) letter, said (concatMap (told . way) tos))
   where
+    (told, offsets) = case (letter, numbers) of
+      ('h', [dx]) -> (take 1, [(dx, 0)])
+      ('v', [dy]) -> (drop 1, [(0, dy)])
+      _ -> (id, pairs numbers)
+    base@(x0, y0) = if letter == 'M' then (0, 0) else here
+    tos = [(x0 + dx, y0 + dy) | (dx, dy) <- offsets]
+    end = foldl (const id) here tos
+    way (x, y) = [hundredths x - hundredths (fst base), hundredths y - hundredths (snd base)]
+    -- A space before what has no sign; a letter takes its place. After a move, a pair without one would be a line.
     said values
-      -- After a move, a pair without a command would be a line.
-      | letter == before && letter /= 'M' = joined ' ' values
-      | otherwise = letter : drop 1 (joined ' ' values `orSigned` values)
-    joined gap values = concatMap (\v -> let text = decimal v in if v < 0 then text else gap : text) values
-    -- The letter stands where the space before the first number would.
-    orSigned text values = if any (< 0) (take 1 values) then ' ' : text else text
-    way to = (hundredths (fst to) - hundredths (fst here), hundredths (snd to) - hundredths (snd here))
-    plus (x, y) (dx, dy) = (x + dx, y + dy)
+      | letter /= before || letter == 'M' = letter : (if any (>= 0) (take 1 values) then drop 1 spaced else spaced)
+      | otherwise = spaced
+      where
+        spaced = concatMap (\v -> (if v < 0 then id else (' ' :)) (decimal v)) values
     pairs list = case list of
       dx : dy : others -> (dx, dy) : pairs others
       _ -> []
@@ -70,13 +70,9 @@ decimal :: Int -> String
 decimal v
   | v < 0 = '-' : decimal (negate v)
   | part == 0 = show whole
-  | otherwise = (if whole == 0 then "" else show whole) <> "." <> digits
+  | otherwise = (if whole == 0 then "" else show whole) <> "." <> dropWhileEnd (== '0') (drop 1 (show (100 + part)))
   where
     (whole, part) = v `quotRem` 100
-    digits
-      | part `rem` 10 == 0 = show (part `div` 10)
-      | part < 10 = '0' : show part
-      | otherwise = show part
 
 commandsOf :: String -> [Command]
 commandsOf text = case dropWhile (not . isAlpha) text of
@@ -87,16 +83,8 @@ commandsOf text = case dropWhile (not . isAlpha) text of
 
 -- | Numbers in units of 10⁻⁴.
 numbersOf :: String -> [Int]
-numbersOf text = case dropWhile (not . starts) text of
-  '-' : rest -> let (v, others) = unsigned rest in negate v : numbersOf others
-  rest@(_ : _) -> let (v, others) = unsigned rest in v : numbersOf others
-  [] -> []
+numbersOf = map units . words . map (\c -> if c == ',' then ' ' else c)
   where
-    starts c = isDigit c || c `elem` ("-." :: String)
-    unsigned digits =
-      let (whole, rest) = span isDigit digits
-          (part, others) = case rest of
-            '.' : more -> span isDigit more
-            _ -> ("", rest)
-       in (natural (whole <> take 4 (part <> "0000")), others)
-    natural = foldl (\v c -> 10 * v + (fromEnum c - fromEnum '0')) 0
+    units text = case text of
+      '-' : rest -> negate (units rest)
+      _ -> foldl (\v c -> 10 * v + digitToInt c) 0 (filter (/= '.') text)

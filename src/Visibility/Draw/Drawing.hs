@@ -27,13 +27,16 @@ module Visibility.Draw.Drawing
   , segmentMeetsBox
   , strokes
   , dotRadius
-  , strokeWidth
   , widened
+    -- * Looks
+  , strokeWidth
+  , Look (..)
+  , look
   ) where
 
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Visibility.Draw.Colour (Shade)
+import Visibility.Draw.Colour (Shade, hexText)
 
 -- | A figure. The title and the description are for those who cannot see it.
 data Drawing = Drawing
@@ -94,7 +97,7 @@ data Anchor = StartAnchor | MiddleAnchor | EndAnchor
 plain :: Style -> Shape -> Mark
 plain = Mark Text.empty
 
--- | What a mark means. How it looks is decided in "Visibility.Draw.Render" alone.
+-- | What a mark means. How it looks is decided by 'look' alone.
 data Style
   = -- | The opaque outside of a room.
     Outside
@@ -268,37 +271,63 @@ dotRadius density _ = byDensity density 2.2 1.2 0.6 0.25
 
 -- | The width of a style's lines and outlines, in pixels; 0 where it has none.
 strokeWidth :: Density -> Style -> Double
-strokeWidth density style = case style of
-  Opaque -> by 1.2 0.9 0.4 0.2
-  RoomWall -> by 2 1.6 1.2 1
-  ThinWall -> by 2.6 2 1.2 0.8
-  LightRim -> by 5.4 4.2 3 1.6
-  LightSource -> by 3 2.4 1.6 0.8
-  TangentCurve -> by 1.3 0.5 0.18 0.06
-  EndingCurve -> by 1.1 0.45 0.15 0.05
-  BuriedCurve -> by 1 0.4 0.15 0.05
-  SweptLine -> by 6 4 2.4 1.2
-  ReadyLine -> by 7 4.5 2.4 1.2
-  ShadowLimitTick -> by 1.8 1.2 0.6 0.3
-  KinkLine -> by 0.6 0.3 0.2 0.2
-  SeenSide -> by 3.4 2.8 1.8 1.2
-  SeeingSide -> by 5.4 4.6 3.4 2.4
-  Arrow -> 2
-  BandEdge -> by 0.6 0.4 0.2 0.1
-  ProfileLine -> 1.2
-  ViewpointDot -> 1.6
-  DegenerateVertexDot -> by 1.4 0.9 0.4 0.3
-  Axis -> 1
-  Leader -> 0.7
-  PlotLine _ -> 1.3
-  _ | style `elem` [Bitangent, ShadowLine] -> by 0.7 0.35 0.2 0.2
-    | style `elem` [LightRay, SightLimit] -> by 0.9 0.7 0.4 0.2
-    | style `elem` [RightTreeEdge, LeftTreeEdge] -> by 1.1 0.7 0.4 0.2
-    | style `elem` [NewRightTreeEdge, NewLeftTreeEdge] -> by 2.4 1.6 0.8 0.4
-    | style `elem` [KinkTick, EqualPartsTick] -> by 1.2 0.8 0.4 0.2
-    | style `elem` [Reference, Tick] -> 0.8
-    | otherwise -> 0
+strokeWidth density style = let Look _ _ _ width = look density style in width
+
+-- | Fill; colour, dashes and width of the stroke, in pixels.
+data Look = Look !(Maybe String) !(Maybe String) ![Double] !Double
+
+-- | How a style looks in a layer of some density. Styles differ in lightness, width and dashes, not in hue alone, so
+-- that figures can be read in shades of grey.
+look :: Density -> Style -> Look
+look density style = case style of
+  Outside -> filled solid
+  RoomFloor -> filled "#ffffff"
+  Opaque -> Look (Just solid) (Just dark) [] (by 1.2 0.9 0.4 0.2)
+  RoomWall -> line dark (by 2 1.6 1.2 1)
+  ThinWall -> line dark (by 2.6 2 1.2 0.8)
+  Bitangent -> line (by blue "#5a91c6" blue blue) (by 0.7 0.35 0.2 0.2)
+  LightRim -> line dark (by 5.4 4.2 3 1.6)
+  LightSource -> line "#ffd92e" (by 3 2.4 1.6 0.8)
+  LightRay -> line dark (by 0.9 0.7 0.4 0.2)
+  TangentCurve -> line (by "#16365c" "#16365c" "#33557f" "#33557f") (by 1.3 0.5 0.18 0.06)
+  EndingCurve -> dashed (by "#d08a3e" "#d08a3e" "#dba368" "#dba368") (dashes 4 2.5 3 2 2 1.5) (by 1.1 0.45 0.15 0.05)
+  BuriedCurve -> dashed "#8c8c8c" (dashes 1.2 2.6 1 2 0.8 1.6) (by 1 0.4 0.15 0.05)
+  SeenRegion -> filled "#cde3f6"
+  SightLimit -> line blue (by 0.9 0.7 0.4 0.2)
+  ShadowLimitTick -> line accent (by 1.8 1.2 0.6 0.3)
+  KinkTick -> line "#1f62a8" (by 1.2 0.8 0.4 0.2)
+  EqualPartsTick -> line dark (by 1.2 0.8 0.4 0.2)
+  ShadowLine -> line (by "#c9556a" "#c9556a" accent accent) (by 0.7 0.35 0.2 0.2)
+  KinkLine -> dashed (by "#6f9fcc" "#6f9fcc" blue blue) (dashes 5 3 4 2.5 3 2) (by 0.6 0.3 0.2 0.2)
+  SweptLine -> line "#f3b6bd" (by 6 4 2.4 1.2)
+  ReadyLine -> line "#cfe8c6" (by 7 4.5 2.4 1.2)
+  RightTreeEdge -> line "#1f62a8" (by 1.1 0.7 0.4 0.2)
+  LeftTreeEdge -> line "#c2701c" (by 1.1 0.7 0.4 0.2)
+  NewRightTreeEdge -> line "#1f62a8" (by 2.4 1.6 0.8 0.4)
+  NewLeftTreeEdge -> line "#c2701c" (by 2.4 1.6 0.8 0.4)
+  SeenSide -> line "#1f62a8" (by 3.4 2.8 1.8 1.2)
+  SeeingSide -> line accent (by 5.4 4.6 3.4 2.4)
+  Arrow -> line accent 2
+  ViewpointDot -> Look (Just accent) (Just "#ffffff") [] 1.6
+  VertexDot -> filled dark
+  DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) [] (by 1.4 0.9 0.4 0.3)
+  Cell shade -> filled (hexText shade)
+  Band shade -> filled (hexText shade)
+  BandEdge -> line dark (by 0.6 0.4 0.2 0.1)
+  ProfileLine -> line dark 1.2
+  PlotLine colour -> line colour 1.3
+  Axis -> line dark 1
+  Reference -> line "#b5b5b5" 0.8
+  Tick -> line dark 0.8
+  Leader -> dashed "#555555" [1.5, 1.5] 0.7
+  _ -> line dark 0
   where
+    filled colour = Look (Just colour) Nothing [] 0
+    line colour = dashed colour []
+    dashed = Look Nothing . Just
+    dashes a b c d e f = by [a, b] [c, d] [e, f] [e, f]
+    (solid, dark, accent, blue) = ("#d4d4d4", "#1f1f1f", "#b3122a", "#3a78b5")
+    by :: a -> a -> a -> a -> a
     by = byDensity density
 
 -- | A box with so much more on each side.

@@ -6,6 +6,11 @@ module Visibility.Draw.Radiosity
   , LitElement (..)
   , lightFigure
   , radiosityDrawing
+    -- * Profiles
+  , Profile (..)
+  , Panel (..)
+  , panelHeight
+  , profilePanel
   ) where
 
 import Data.List (sortOn)
@@ -15,11 +20,11 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Band
+import Visibility.Draw.Colour (Shade)
 import Visibility.Draw.Drawing
 import Visibility.Draw.Figure
 import Visibility.Draw.Labels
 import Visibility.Draw.Legend
-import Visibility.Draw.Profile
 import Visibility.Draw.Scale
 import Visibility.Draw.Scenery
 import Visibility.Draw.Values
@@ -233,24 +238,89 @@ sideRequest scene strips side = Request name SideLabel name seats
     outward strip =
       let (Place x y, Place x' y') = (outwardPlace strip 0 0, outwardPlace strip 0 1) in atan2 (y' - y) (x' - x)
 
+-- | How a value runs along a side.
+data Profile = Profile
+  { profileName :: !Text
+  , profileUpwards :: !Text
+  -- ^ What the values are.
+  , profileLength :: !Rational
+  -- ^ Of the side, in the file's units.
+  , profileSteps :: ![LitElement]
+  }
+  deriving (Eq, Show)
+
 -- | The values along a side.
 profileOf :: Scene -> RadiosityFigure -> SideName -> Profile
 profileOf scene figure side =
-  Profile
-    { profileName = name
-    , profileAcross = "distance along side " <> name
-    , profileUpwards = radiosityQuantity figure
-    , profileLength =
-        if 1e-15 < near && near < 1e15
-          then toRational near
-          else fromMaybe (fst (enclosureRelative 64 long)) (asRational long)
-    , profileSteps =
-        [ Step (litFrom e) (litTo e) (litValue e)
-        | e <- radiosityElements figure
-        , litSide e == side
-        ]
-    }
+  Profile (Text.pack (sideText side)) (radiosityQuantity figure) about (filter ((== side) . litSide) elements)
   where
-    name = Text.pack (sideText side)
+    elements = radiosityElements figure
     long = sideLength scene side
     near = nearestDouble long
+    about
+      | 1e-15 < near && near < 1e15 = toRational near
+      | otherwise = fromMaybe (fst (enclosureRelative 64 long)) (asRational long)
+
+-- | The marks of a panel by their layers.
+data Panel = Panel
+  { panelAreas :: ![Mark]
+  -- ^ In the colours of the values.
+  , panelLines :: ![Mark]
+  , panelAxes :: ![Mark]
+  , panelLabels :: ![Mark]
+  }
+
+-- | The height of a panel with its labels, in pixels.
+panelHeight :: Double
+panelHeight = 158
+
+-- | The panel by the colours of values, the scale of its vertical axis, its left, its top and its width: steps over the
+-- distance along the side, with a tick below at round distances and one above the axis at each position where a step
+-- ends.
+--
+-- /Degenerate cases/ where steps do not follow each other, as on parts that are covered, the line is interrupted.
+-- Values beyond the scale are at its end.
+--
+-- /Laws/ one area for each step, as high as its value on the scale.
+profilePanel :: (Double -> Shade) -> Values -> Double -> Double -> Double -> Profile -> Panel
+profilePanel shade values left top width profile =
+  Panel
+    { panelAreas = map area steps
+    , panelLines = [Mark name ProfileLine (Polyline (concatMap flat run)) | run <- runs steps]
+    , panelAxes =
+        plain Axis (Polyline [Place l t, Place l b, Place r b]) : map partMark (Set.toList breaks)
+          <> [plain Tick (Polyline [Place x (b - 5), Place x b]) | (s, _) <- distances, let x = across s]
+          <> [plain Tick (Polyline [Place (l - 5) y, Place l y]) | (s, _) <- heights, let y = up s]
+    , panelLabels =
+        [plain TickLabel (Label MiddleAnchor (Place (across s) (b - 18)) text) | (s, text) <- distances]
+          <> [ plain TickLabel (Label EndAnchor (Place (l - 8) (up s - 0.36 * textSize TickLabel)) text)
+             | (s, text) <- heights
+             ]
+          <> [ plain AxisTitle (Label EndAnchor (Place r (b - 37)) ("distance along side " <> name))
+             , plain AxisTitle (Label StartAnchor (Place l (t + 9)) (profileUpwards profile))
+             ]
+    }
+  where
+    name = profileName profile
+    (l, r) = (left + 62, left + width - 18)
+    (b, t) = (top - panelHeight + 46, top - 24)
+    across s = l + s * (r - l)
+    along = across . fromRational
+    up s = b + s * (t - b)
+    steps = sortOn litFrom (profileSteps profile)
+    height step = up (placeOn values (litValue step))
+    area step =
+      Mark name (Band (shade (litValue step))) $
+        boxRegion (Box (along (litFrom step)) b (along (litTo step)) (height step))
+    flat step = [Place (along (litFrom step)) (height step), Place (along (litTo step)) (height step)]
+    breaks = Set.fromList [s | step <- steps, s <- [litFrom step, litTo step], s > 0, s < 1]
+    partMark s = plain Tick (Polyline [Place (along s) b, Place (along s) (b + 4)])
+    distances = ticksAcross (r - l) (evenTicks (profileLength profile))
+    heights = ticks values 4
+
+-- | Steps that follow each other without a gap.
+runs :: [LitElement] -> [[LitElement]]
+runs steps = foldr add [] steps
+  where
+    add step ((next : more) : others) | litTo step == litFrom next = (step : next : more) : others
+    add step others = [step] : others

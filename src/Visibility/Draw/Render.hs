@@ -2,9 +2,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The one place that knows a drawing library: drawings become SVG by diagrams.
---
--- All that concerns looks is here. Styles differ in lightness, width and dashes, not in hue alone, so that figures can
--- be read in shades of grey.
 module Visibility.Draw.Render
   ( renderSvg
   ) where
@@ -18,7 +15,6 @@ import Diagrams.Backend.SVG
 import Diagrams.Prelude hiding (Style, height, place, solid, stroke, text, thin, width, with)
 import Graphics.Svg (Element, desc_, g_, makeAttribute, renderText, style_, svg11_, title_, toElement, with)
 import Numeric (showFFloat)
-import Visibility.Draw.Colour (hexText)
 import Visibility.Draw.Compact (compactPaths)
 import Visibility.Draw.Drawing
 
@@ -89,7 +85,7 @@ piece density marks@(Mark _ style shape : _) = case shape of
   Label anchor place text -> words' style anchor place text
   Dot _
     -- A full dot is the end of a line of no length: a tenth of the text of a circle.
-    | Look (Just colour) Nothing _ <- look density style ->
+    | Look (Just colour) Nothing _ _ <- look density style ->
       strokePath (foldMap (\place -> polyline [place, place]) dots)
         # lc (sRGB24read colour)
         # lwO (2 * dotRadius density style)
@@ -130,59 +126,13 @@ words' style anchor place text =
 point :: Place -> P2 Double
 point (Place x y) = p2 (x, y)
 
--- | Fill, colour of the stroke and its dashes in pixels.
-data Look = Look !(Maybe String) !(Maybe String) ![Double]
-
 painted :: Density -> Style -> Diagram SVG -> Diagram SVG
 painted density style =
   maybe (fcA transparent) (fc . sRGB24read) fill
-    . maybe (lw none) (\colour -> lcA (sRGB24read colour `withOpacity` ink) . lwO (strokeWidth density style)) stroke
+    . maybe (lw none) (\colour -> lcA (sRGB24read colour `withOpacity` ink) . lwO width') stroke
     . (if null dashes then id else dashingO dashes 0)
     . lineJoin LineJoinRound
   where
-    Look fill stroke dashes = look density style
+    Look fill stroke dashes width' = look density style
     -- Lines cannot get thinner without end: viewers drop what covers too little of a pixel.
     ink = if style `elem` [Bitangent, ShadowLine, KinkLine] then byDensity density 1 1 0.6 0.12 else 1 :: Double
-
--- | How a style looks in a layer of some density.
-look :: Density -> Style -> Look
-look density style = case style of
-  Outside -> Look (Just solid) Nothing []
-  RoomFloor -> Look (Just "#ffffff") Nothing []
-  Opaque -> Look (Just solid) (Just dark) []
-  Bitangent -> line (by "#3a78b5" "#5a91c6" "#3a78b5")
-  LightSource -> line "#ffd92e"
-  TangentCurve -> line (by "#16365c" "#16365c" "#33557f")
-  EndingCurve -> Look Nothing (Just (by "#d08a3e" "#d08a3e" "#dba368")) (by [4, 2.5] [3, 2] [2, 1.5])
-  BuriedCurve -> Look Nothing (Just "#8c8c8c") (by [1.2, 2.6] [1, 2] [0.8, 1.6])
-  SeenRegion -> Look (Just "#cde3f6") Nothing []
-  SightLimit -> line "#3a78b5"
-  ShadowLimitTick -> line accent
-  KinkTick -> line "#1f62a8"
-  ShadowLine -> line (by "#c9556a" "#c9556a" "#b3122a")
-  KinkLine -> Look Nothing (Just (by "#6f9fcc" "#6f9fcc" "#3a78b5")) (by [5, 3] [4, 2.5] [3, 2])
-  SweptLine -> line "#f3b6bd"
-  ReadyLine -> line "#cfe8c6"
-  RightTreeEdge -> line "#1f62a8"
-  LeftTreeEdge -> line "#c2701c"
-  NewRightTreeEdge -> line "#1f62a8"
-  NewLeftTreeEdge -> line "#c2701c"
-  SeenSide -> line "#1f62a8"
-  SeeingSide -> line accent
-  Arrow -> line accent
-  ViewpointDot -> Look (Just accent) (Just "#ffffff") []
-  VertexDot -> Look (Just dark) Nothing []
-  DegenerateVertexDot -> Look (Just "#ffffff") (Just accent) []
-  Cell shade -> Look (Just (hexText shade)) Nothing []
-  Band shade -> Look (Just (hexText shade)) Nothing []
-  PlotLine colour -> line colour
-  Reference -> line "#b5b5b5"
-  Leader -> Look Nothing (Just "#555555") [1.5, 1.5]
-  _ -> line dark
-  where
-    line colour = Look Nothing (Just colour) []
-    solid = "#d4d4d4"
-    dark = "#1f1f1f"
-    accent = "#b3122a"
-    by :: a -> a -> a -> a
-    by sparse dense crowded = byDensity density sparse dense crowded crowded

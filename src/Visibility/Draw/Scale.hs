@@ -9,7 +9,6 @@ module Visibility.Draw.Scale
   , roundedTo
   , thinned
     -- * Conversions
-  , quotient
   , directionAngle
     -- * Counted things
   , counted
@@ -19,7 +18,7 @@ module Visibility.Draw.Scale
   ) where
 
 import Data.Bits (shiftR)
-import Data.Ratio (denominator, numerator, (%))
+import Data.Ratio (denominator, numerator)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -90,10 +89,6 @@ shortNumber v
   | otherwise = decimalText (roundedTo step (toRational v))
   where
     step = 10 ^^ (floor (logBase 10 (abs v)) - 2 :: Int)
-
--- | The Double next to a quotient. /Requires/ a divisor other than 0.
-quotient :: Integer -> Integer -> Double
-quotient a b = fromRational (a % b)
 
 -- | The angle of a direction in radians.
 --

@@ -5,7 +5,7 @@ module Visibility.Draw.Scene
   ( sceneDrawing
   ) where
 
-import Data.List (foldl', sort)
+import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -54,13 +54,8 @@ sceneDrawing scene vertices =
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"
       , counted (length (statedCorners scene)) "corner" "corners"
-      , countedVertices vertexTotal degenerate
+      , countedVertices (length vertices) (length (filter (isDegenerate scene) vertices))
       , counted pairs "elementary visible pair" "elementary visible pairs"
       , counted (length bitangents) "free bitangent" "free bitangents"
       ]
-    Totals vertexTotal degenerate pairs = foldl' addVertex (Totals 0 0 0) vertices
-    addVertex (Totals a b c) vertex =
-      Totals (a + 1) (if isDegenerate scene vertex then b + 1 else b) (c + length (pairsOf vertex))
-    pairsOf = concatMap (statedPairs scene) . vertexPairs scene
-
-data Totals = Totals !Int !Int !Int
+    pairs = length (concatMap (concatMap (statedPairs scene) . vertexPairs scene) vertices)
