@@ -19,7 +19,7 @@ import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import Visibility.Draw.Drawing
-import Visibility.Draw.Scenery (freeCone, heading)
+import Visibility.Draw.Scenery (freeCone, heading, raySteps)
 import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
 
@@ -221,10 +221,10 @@ stripRays most strip
     far = 1.75 * stripWide strip
     (long, middle) = (stripLong strip, stripLong strip / 2)
     room = minimum (stripWide strip : map (* middle) (slopesInwards strip))
-    count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
+    (count, steps) = raySteps long
     free =
       [ s
-      | k <- takeWhile (< count) (map (+ 0.5) [0 ..])
+      | k <- steps
       , let s = long * k / count
       , and [slope * s > far | Inwards slope <- [startCut strip]]
       , and [slope * (long - s) > far | Inwards slope <- [endCut strip]]

@@ -21,11 +21,7 @@ import Data.Ratio ((%))
 import qualified Data.Text as Text
 import qualified Data.Vector.Unboxed as U
 import Visibility.Count (Counts (..), count)
-import Visibility.Draw.Drawing
-import Visibility.Draw.Figure
-import Visibility.Draw.Labels
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
+import Visibility.Draw.Figure hiding (Frame, frameFor)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Scene
@@ -72,10 +68,8 @@ dualDrawing scene stream =
     allEdges = sortOn edgeCorner (stretches scene stream)
     curvesIn style = [edge | edge <- allEdges, curveStyle (edgeView edge) == style]
     curveMark edge =
-      Mark
-        (Text.pack (cornerText (cornerName scene (edgeCorner edge))))
-        (curveStyle (edgeView edge))
-        (Polyline (map (onCanvas frame) (edgeSamples frame edge)))
+      Mark (cornerTag scene (edgeCorner edge)) (curveStyle (edgeView edge)) $
+        Polyline (map (onCanvas frame) (edgeSamples frame edge))
     dots = concatMap (dotMarks scene frame) (sortOn eventVertex stream)
     dotDensity = densityOf (2 * length dots)
     curveDensity = densityOf (length allEdges)
@@ -244,7 +238,7 @@ dotMarks :: Scene -> Frame -> Event -> [Mark]
 dotMarks scene frame event = [Mark name style (Dot (onCanvas frame at)) | at <- eventPoints scene frame event]
   where
     vertex = eventVertex event
-    name = Text.unwords (map (Text.pack . cornerText . cornerName scene) (vertexCorners vertex))
+    name = Text.unwords (map (cornerTag scene) (vertexCorners vertex))
     style = if isDegenerate scene vertex then DegenerateVertexDot else VertexDot
 
 -- | The frame, ticks every 15°, at round values of u, and the line u = 0.

@@ -22,6 +22,13 @@ module Visibility.Draw.Figure
   , Naming (..)
   , polygonSheet
   , planeDrawing
+    -- * What they consist of
+  , module Visibility.Draw.Drawing
+  , module Visibility.Draw.Labels
+  , module Visibility.Draw.Legend
+  , module Visibility.Draw.Scale
+  , module Visibility.Draw.Scenery
+  , module Visibility.Draw.Values
   ) where
 
 import Data.Maybe (fromMaybe, mapMaybe)

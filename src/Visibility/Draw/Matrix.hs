@@ -20,12 +20,7 @@ import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Numeric (showFFloat)
-import Visibility.Draw.Drawing
-import Visibility.Draw.Figure
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery (canvasWidth, sideMargin)
-import Visibility.Draw.Values
+import Visibility.Draw.Figure hiding (Line)
 import Visibility.FormFactor (FactorRow (..))
 import Visibility.Mesh.Element
 import Visibility.Scene

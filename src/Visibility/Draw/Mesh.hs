@@ -9,11 +9,7 @@ module Visibility.Draw.Mesh
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as V
-import Visibility.Draw.Drawing
 import Visibility.Draw.Figure
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery
 import Visibility.Exact.Rounding (rationalText)
 import Visibility.Mesh
 import Visibility.Mesh.Span
@@ -83,22 +79,17 @@ breakMark scene frame piece side point =
   Mark name (tickStyle kind) (Polyline [at 0, at (if kind == Just ShadowLimit then 9 else 5.5)])
   where
     kind = breakKind point
-    name = Text.pack (sideText (sideName scene side) <> " " <> rationalText (breakParameter point))
+    name = sideTag scene side <> Text.pack (' ' : rationalText (breakParameter point))
     at = besideSide scene (placeOf scene frame) side along
     along = fromRational ((breakParameter point - spanStart piece) / (spanEnd piece - spanStart piece))
 
 -- | The lines of all casters of a break point, shadow limits above.
 lineMarks :: Scene -> Frame -> BreakPoint -> [Mark]
 lineMarks scene frame point =
-  [ Mark
-      (nameOf near <> " " <> nameOf far)
-      (lineStyle kind)
-      (Polyline [placeOfPoint scene frame (breakAt point), place far])
+  [ Mark (cornerTag scene near <> " " <> cornerTag scene far) (lineStyle kind) $
+      Polyline [placeOfPoint scene frame (breakAt point), placeOf scene frame far]
   | Caster kind near far <- reverse (breakCasters point)
   ]
-  where
-    place = placeOf scene frame
-    nameOf = Text.pack . cornerText . cornerName scene
 
 tickStyle :: Maybe Kind -> Style
 tickStyle kind = case kind of

@@ -21,13 +21,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Band
 import Visibility.Draw.Colour (Shade)
-import Visibility.Draw.Drawing
 import Visibility.Draw.Figure
-import Visibility.Draw.Labels
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery
-import Visibility.Draw.Values
 import Visibility.Exact.Point (Point)
 import Visibility.Exact.RootSum (asRational, enclosureRelative, rational)
 import Visibility.Exact.Rounding (nearestDouble)
@@ -36,7 +30,6 @@ import Visibility.Mesh.Element
 import Visibility.Mesh.Span (parameterOn)
 import Visibility.Radiosity (Lit (..), Radiosity (..))
 import Visibility.Scene
-import Visibility.Scene.Raw (Material (..))
 
 -- | What is shown, and how.
 data RadiosityFigure = RadiosityFigure
@@ -153,14 +146,14 @@ radiosityDrawing scene figure =
           , Just strip <- [Map.lookup piece strips]
           ]
         edges =
-          [ Mark (Text.pack (sideText (sideName scene piece))) BandEdge (Region (stripOutline strip))
+          [ Mark (sideTag scene piece) BandEdge (Region (stripOutline strip))
           | piece <- Map.keys (Map.fromList [(piece, ()) | (_, piece, _) <- lit])
           , Just strip <- [Map.lookup piece strips]
           ]
         rays =
-          [ Mark (Text.pack (sideText (sideName scene side))) LightRay (Polyline ray)
-          | (side, strip) <- Map.toList strips
-          , emission (sideMaterial scene side) > 0
+          [ Mark (sideTag scene side) LightRay (Polyline ray)
+          | side <- lightSources scene
+          , Just strip <- [Map.lookup side strips]
           , ray <- stripRays bandWidth strip
           ]
 
@@ -191,7 +184,7 @@ countedValues scene scaling found = case scaling of
   _ -> map litValue found
   where
     dark = [litValue e | e <- found, not (Set.member (litSide e) lights)]
-    lights = Set.fromList [sideName scene s | s <- sides scene, emission (sideMaterial scene s) > 0]
+    lights = Set.fromList (map (sideName scene) (lightSources scene))
 
 -- | The width of a band that has room, in pixels.
 bandWidth :: Double

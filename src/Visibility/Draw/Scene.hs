@@ -7,12 +7,7 @@ module Visibility.Draw.Scene
 
 import Data.List (sort)
 import Data.Maybe (fromMaybe)
-import qualified Data.Text as Text
-import Visibility.Draw.Drawing
 import Visibility.Draw.Figure
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery
 import Visibility.Scene
 import Visibility.Sweep.Vertex
 import Visibility.View
@@ -48,8 +43,8 @@ sceneDrawing scene vertices =
       }
   where
     bitangents = sort (concatMap (freeBitangents scene) vertices)
-    bitangentMark place (p, q) = Mark (nameOf p <> " " <> nameOf q) Bitangent (Polyline [place p, place q])
-    nameOf = Text.pack . cornerText . cornerName scene
+    bitangentMark place (p, q) =
+      Mark (cornerTag scene p <> " " <> cornerTag scene q) Bitangent (Polyline [place p, place q])
     (polygonEntries, lightEntries) = sceneryEntries scene
     facts =
       [ counted (length (scenePolygons scene)) "polygon" "polygons"

@@ -16,11 +16,16 @@ module Visibility.Draw.Scenery
   , heading
   , freeCone
   , lineOrDot
+    -- * Names
+  , cornerTag
+  , sideTag
     -- * Polygons
   , groundLayers
   , polygonMarks
   , polygonDensity
   , lightsOf
+  , lightSources
+  , raySteps
   , besideSide
   , flatCornerMarks
   , sceneryEntries
@@ -159,6 +164,13 @@ freeCone scene place corner@(CornerId c) = (from, wide)
       LeftTurn | turned < 0.5 * pi -> 2 * pi
       _ -> turned
 
+-- | What marks of corners and of sides are called.
+cornerTag :: Scene -> CornerId -> Text
+cornerTag scene = Text.pack . cornerText . cornerName scene
+
+sideTag :: Scene -> SideId -> Text
+sideTag scene = Text.pack . sideText . sideName scene
+
 -- | A line, or a dot where all of it is in one place.
 lineOrDot :: [Place] -> Shape
 lineOrDot places = fromMaybe (Polyline places) (dotFor places)
@@ -184,44 +196,45 @@ groundLayers scene frame =
 
 -- | A mark for each polygon, named as in output: a dot where it is smaller than what is seen.
 polygonMarks :: Scene -> Frame -> [Mark]
-polygonMarks scene frame = map (polygonMark (placeOfPoint scene frame)) (scenePolygons scene)
+polygonMarks scene frame = map mark (scenePolygons scene)
+  where
+    mark polygon
+      | polygonId polygon == Enclosure = Mark name RoomWall (lineOrDot (places <> take 1 places))
+      | isThin polygon = Mark name ThinWall (lineOrDot places)
+      | otherwise = Mark name Opaque (fromMaybe (Region places) (dotFor places))
+      where
+        name = Text.pack (polygonText (polygonId polygon))
+        places = map (placeOfPoint scene frame) (polygonPoints polygon)
 
 -- | The density of the layers of polygons and lights.
 polygonDensity :: Scene -> Density
 polygonDensity = densityOf . cornerCount
 
-isSolid, isThin :: Polygon -> Bool
-isSolid = not . isThin
+isThin :: Polygon -> Bool
 isThin polygon = polygonForm polygon == Raw.Polyline
-
-polygonMark :: (Point -> Place) -> Polygon -> Mark
-polygonMark place polygon
-  | polygonId polygon == Enclosure = Mark name RoomWall (lineOrDot (places <> take 1 places))
-  | isThin polygon = Mark name ThinWall (lineOrDot places)
-  | otherwise = Mark name Opaque (fromMaybe (Region places) (dotFor places))
-  where
-    name = Text.pack (polygonText (polygonId polygon))
-    places = map place (polygonPoints polygon)
 
 -- | The marks of all sides that give light, named by their sides: a band along the side and short rays from it into
 -- free space, which lies to the right of the side.
 lightsOf :: Scene -> Frame -> [Mark]
-lightsOf scene frame = concatMap (lightMarks scene (placeOf scene frame)) (sides scene)
-
-lightMarks :: Scene -> (CornerId -> Place) -> SideId -> [Mark]
-lightMarks scene place side
-  | emission (sideMaterial scene side) <= 0 = []
-  | otherwise =
-    [Mark name LightRim (lineOrDot [from, to]), Mark name LightSource (lineOrDot [from, to])]
-      <> [ Mark name LightRay (Polyline [along (k / count) 4.5, along (k / count) 9])
-         | k <- takeWhile (< count) (map (+ 0.5) [0 ..])
-         ]
+lightsOf scene frame = concatMap marks (lightSources scene)
   where
-    name = Text.pack (sideText (sideName scene side))
-    (_, long) = heading scene place (sideStart side) (sideEnd scene side)
-    count = max 1 (fromIntegral (round (long / 12) :: Int)) :: Double
-    (from, to) = (along 0 0, along 1 0)
-    along = besideSide scene place side
+    marks side =
+      [Mark (sideTag scene side) style (lineOrDot [along 0 0, along 1 0]) | style <- [LightRim, LightSource]]
+        <> [Mark (sideTag scene side) LightRay (Polyline [along (k / count) 4.5, along (k / count) 9]) | k <- steps]
+      where
+        (count, steps) = raySteps long
+        (_, long) = heading scene (placeOf scene frame) (sideStart side) (sideEnd scene side)
+        along = besideSide scene (placeOf scene frame) side
+
+-- | The sides that give light.
+lightSources :: Scene -> [SideId]
+lightSources scene = [side | side <- sides scene, emission (sideMaterial scene side) > 0]
+
+-- | How many rays stand on a light source of a length in pixels, and where, counted in their distance.
+raySteps :: Double -> (Double, [Double])
+raySteps long = (count, takeWhile (< count) (map (+ 0.5) [0 ..]))
+  where
+    count = max 1 (fromIntegral (round (long / 12) :: Int))
 
 -- | A place along a side, 0 at its start and 1 at its end, so many pixels out into free space.
 --
@@ -243,7 +256,7 @@ isFaceOfWall scene side = or [isThin polygon | polygon <- scenePolygons scene, p
 -- shows.
 flatCornerMarks :: Scene -> Frame -> [Mark]
 flatCornerMarks scene frame =
-  [ Mark (Text.pack (cornerText (cornerName scene c))) VertexDot (Dot (placeOf scene frame c))
+  [ Mark (cornerTag scene c) VertexDot (Dot (placeOf scene frame c))
   | fewCorners scene
   , c@(CornerId i) <- corners scene
   , not (isWallEnd scene c)
@@ -254,11 +267,9 @@ flatCornerMarks scene frame =
 -- | The entries of the legend for polygons; those for lights.
 sceneryEntries :: Scene -> ([Entry], [Entry])
 sceneryEntries scene =
-  ( [Entry (regionSwatch Opaque) "opaque" | any isSolid (scenePolygons scene)]
+  ( [Entry (regionSwatch Opaque) "opaque" | any (not . isThin) (scenePolygons scene)]
       <> [Entry (lineSwatch [ThinWall]) "thin wall" | any isThin (scenePolygons scene)]
-  , [ Entry (lineSwatch [LightRim, LightSource]) "light source"
-    | any ((> 0) . emission . sideMaterial scene) (sides scene)
-    ]
+  , [Entry (lineSwatch [LightRim, LightSource]) "light source" | not (null (lightSources scene))]
   )
 
 -- | Are all corners to be labelled? Up to 40 are.
@@ -279,23 +290,17 @@ dotBoxes marks = [widened (around style) (Box x y x y) | Mark _ style (Dot (Plac
 -- the solid; where all is solid, anywhere.
 cornerRequests :: Scene -> Frame -> [Request]
 cornerRequests scene frame =
-  [cornerRequest scene (placeOf scene frame) c group | group@(c : _) <- placeGroups scene]
-    <> [coveredRequest (placeOfPoint scene frame point) names | (point, names) <- Map.toList coveredPlaces]
+  [request (place c) (outward group) (namesHere scene c) | group@(c : _) <- placeGroups scene]
+    <> [request (placeOfPoint scene frame at) (-pi / 2) names | (at, names) <- Map.toList coveredPlaces]
   where
+    place = placeOf scene frame
+    request here angle names =
+      let text = Text.pack (unwords (map cornerText names)) in Request text CornerLabel text [Seat here angle pi]
+    outward group = snd (maximum [(wide, from + wide / 2) | (from, wide) <- map (freeCone scene place) group])
     coveredPlaces =
       Map.fromListWith
         (flip (<>))
         [(point, [name]) | (name, point) <- statedCorners scene, Just [] <- [cornersNamed scene name]]
-    coveredRequest here names = let text = namesText names in Request text CornerLabel text [Seat here (-pi / 2) pi]
-
-namesText :: [CornerName] -> Text
-namesText = Text.pack . unwords . map cornerText
-
-cornerRequest :: Scene -> (CornerId -> Place) -> CornerId -> [CornerId] -> Request
-cornerRequest scene place c group = Request name CornerLabel name [Seat (place c) outward pi]
-  where
-    name = namesText (namesHere scene c)
-    outward = snd (maximum [(wide, from + wide / 2) | (from, wide) <- map (freeCone scene place) group])
 
 -- | The number of an obstacle, and its name where there is room, inside it and on none of some lines.
 polygonLabel :: (Point -> Place) -> [Line] -> Polygon -> Maybe Mark

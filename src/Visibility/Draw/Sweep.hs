@@ -12,11 +12,7 @@ import Data.List (nub, unfoldr)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Visibility.Draw.Drawing
-import Visibility.Draw.Figure
-import Visibility.Draw.Legend
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery hiding (heading)
+import Visibility.Draw.Figure hiding (heading)
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Scene
 import Visibility.Sight (rayMeets)
@@ -71,9 +67,8 @@ sweepDrawing scene total (Moment count vertex state) =
     treeSheet frame name tree =
       Sheet Crossable name (densityOf (Map.size (targets tree))) (treeMarks scene frame state tree)
     lineMark frame style v =
-      Mark (Text.unwords (map nameOf (vertexCorners v))) style $
+      Mark (Text.unwords (map (cornerTag scene) (vertexCorners v))) style $
         Polyline [placeOf scene frame (vertexFirst v), placeOf scene frame (vertexLast v)]
-    nameOf = Text.pack . cornerText . cornerName scene
     entries =
       fst (sceneryEntries scene)
         <> [ Entry (lineSwatch [style]) text
@@ -95,11 +90,10 @@ sweepDrawing scene total (Moment count vertex state) =
 -- | The tree edges of one tree, named by their corners.
 treeMarks :: Scene -> Frame -> State -> Tree -> [Mark]
 treeMarks scene frame state tree =
-  [ Mark (nameOf p) (style (p `elem` new)) (Polyline (beside (placeOf scene frame p) (end p t)))
+  [ Mark (cornerTag scene p) (style (p `elem` new)) (Polyline (beside (placeOf scene frame p) (end p t)))
   | (p, t) <- Map.toList (targets tree)
   ]
   where
-    nameOf = Text.pack . cornerText . cornerName scene
     new = nub [changedCorner change | change <- changes state, changedHeading change == heading tree]
     style isNew = case (heading tree, isNew) of
       (Rightward, False) -> RightTreeEdge
@@ -125,22 +119,21 @@ beside (Place ax ay) (Place bx by)
 changeText :: Scene -> Change -> Text
 changeText scene change =
   Text.concat
-    [ nameOf (changedCorner change)
+    [ cornerTag scene (changedCorner change)
     , case changedHeading change of Rightward -> " to the right, past "; Leftward -> " to the left, past "
-    , nameOf (sweptTo change)
+    , cornerTag scene (sweptTo change)
     , case foundBy change of
         BesideSolid -> " beside the solid"
-        AlongSide x -> " along the side to " <> nameOf x
+        AlongSide x -> " along the side to " <> cornerTag scene x
         UnderSide s -> " back along side " <> sideOf s
-        AlongEdge x -> " along its next pair, to " <> nameOf x
+        AlongEdge x -> " along its next pair, to " <> cornerTag scene x
         UnderCeiling (ToCeiling s) -> " back along side " <> sideOf s
         UnderCeiling _ -> " into the sky"
     , maybe "" (overChain . length . passed) (search change)
     , case touching <$> search change of
-        Just (ToCorner q) -> ": next is " <> nameOf q
+        Just (ToCorner q) -> ": next is " <> cornerTag scene q
         _ -> ": no pair is left"
     ]
   where
-    nameOf = Text.pack . cornerText . cornerName scene
     sideOf = Text.pack . objectText scene . Side
     overChain k = if k == 0 then "" else ", over a chain past " <> counted k "corner" "corners"

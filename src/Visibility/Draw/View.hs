@@ -11,14 +11,9 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Visibility.Draw.Drawing hiding (Region)
 import qualified Visibility.Draw.Drawing as Drawing
-import Visibility.Draw.Figure
-import Visibility.Draw.Labels
-import Visibility.Draw.Legend
+import Visibility.Draw.Figure hiding (Region)
 import Visibility.Draw.Outline
-import Visibility.Draw.Scale
-import Visibility.Draw.Scenery
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)
@@ -110,7 +105,7 @@ sideMarks scene frame figure = case figure of
     [mark SeenSide piece (band piece 0 1) | (TheSide side, _) <- factors, piece <- piecesNamed scene side]
       <> [mark SeeingSide piece (band piece 0 1) | piece <- piecesNamed scene from]
   where
-    mark style side = Mark (Text.pack (sideText (sideName scene side))) style
+    mark style side = Mark (sideTag scene side) style
     band side from to = lineOrDot [besideSide scene (placeOf scene frame) side s 0 | s <- [from, to]]
 
 -- | All uncovered pieces of a side of the file.
