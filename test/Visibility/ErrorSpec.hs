@@ -69,11 +69,16 @@ report problems =
 data Kind
   = Syntax SyntaxKind
   | Shape ShapeKind
-  | Wkt WktKind
   | Scene SceneKind
   deriving (Eq, Ord, Show)
 
-data SyntaxKind = KUnexpected Expected | KControl | KUtf8 | KDeep
+data SyntaxKind
+  = KUnexpected Expected
+  | KControl
+  | KUtf8
+  | KDeep
+  | KWord NumberFault
+  | KGeometry OutlineKind
   deriving (Eq, Ord, Show)
 
 data ShapeKind
@@ -88,9 +93,6 @@ data ShapeKind
   | KEnclosureHole
   | KEnclosureWall
   | KSecondEnclosure
-  deriving (Eq, Ord, Show)
-
-data WktKind = KWktUnexpected WktExpected | KWktNumber NumberFault | KWktOutline OutlineKind
   deriving (Eq, Ord, Show)
 
 data OutlineKind = KOpenRing | KShortRing | KShortLine | KHole
@@ -125,8 +127,7 @@ allKinds =
     <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
     <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey, KEnclosureHole, KEnclosureWall, KSecondEnclosure]
     <> map (Shape . KOutline) [minBound .. maxBound]
-    <> map Wkt (map KWktUnexpected [minBound .. maxBound] <> map KWktNumber [minBound .. maxBound])
-    <> map (Wkt . KWktOutline) [minBound .. maxBound]
+    <> map Syntax (map KWord [minBound .. maxBound] <> map KGeometry [minBound .. maxBound])
     <> map
       Scene
       ( [KEmpty, KFew, KRepeated, KZeroArea, KSpike, KCornerOnSide, KNested, KOutside, KNoSide]
@@ -142,12 +143,14 @@ kinds problem = case problem of
   UnreadableFile _ _ -> []
   UnparseableFile _ (SyntaxError _ fault) -> [Syntax (syntaxKind fault)]
   UnparseableFile _ (ShapeError _ fault) -> [Shape (shapeKind fault)]
-  UnparseableFile _ (WktError _ fault) -> [Wkt (wktKind fault)]
   InvalidScene _ fault -> [Scene (sceneKind fault)]
 
 syntaxKind :: SyntaxFault -> SyntaxKind
 syntaxKind fault = case fault of
   Unexpected _ expected -> KUnexpected expected
+  UnexpectedWord _ expected -> KUnexpected expected
+  BadWord _ why -> KWord why
+  BadGeometry why -> KGeometry (outlineKind why)
   ControlCharacter _ -> KControl
   InvalidUtf8 -> KUtf8
   TooDeep _ -> KDeep
@@ -165,12 +168,6 @@ shapeKind fault = case fault of
   EnclosureHole -> KEnclosureHole
   EnclosureWall -> KEnclosureWall
   SecondEnclosure _ -> KSecondEnclosure
-
-wktKind :: WktFault -> WktKind
-wktKind fault = case fault of
-  WktUnexpected _ expected -> KWktUnexpected expected
-  WktNumber _ why -> KWktNumber why
-  WktOutline why -> KWktOutline (outlineKind why)
 
 outlineKind :: OutlineFault -> OutlineKind
 outlineKind fault = case fault of

@@ -7,11 +7,10 @@ module Visibility.Error.Parse
   , JsonPath (..)
   , ShapeFault (..)
   , OutlineFault (..)
-  , WktFault (..)
-  , WktExpected (..)
-  , Found (..)
   , Wanted (..)
   , parseErrorText
+  , quoted
+  , shortened
   , numberFaultText
   ) where
 
@@ -29,24 +28,27 @@ import Visibility.Format.Number
 data ParseError
   = SyntaxError !TextPosition !SyntaxFault
   | ShapeError !JsonPath !ShapeFault
-  | WktError !TextPosition !WktFault
   deriving (Eq, Ord, Show)
 
 -- | Line and column, both from 1; a column is a character, not a byte.
 data TextPosition = TextPosition !Int !Int
   deriving (Eq, Ord, Show)
 
--- | Why a text is not JSON, or not even text.
+-- | Why a text is neither JSON nor WKT of a scene, or not even text.
 data SyntaxFault
   = -- | The character found, nothing at the end of the text.
     Unexpected !(Maybe Char) !Expected
+  | -- | The word or sign found in a line of WKT, nothing at its end.
+    UnexpectedWord !(Maybe Text) !Expected
+  | BadWord !Text !NumberFault
+  | BadGeometry !OutlineFault
   | ControlCharacter !Char
   | InvalidUtf8
   | -- | More brackets open than this.
     TooDeep !Int
   deriving (Eq, Ord, Show)
 
--- | What JSON allows at a place.
+-- | What JSON, or from 'AGeometry' on WKT, allows at a place.
 data Expected
   = AValue
   | AKey
@@ -61,15 +63,20 @@ data Expected
   | AnEscape
   | AHexDigit
   | TheEnd
+  | AGeometry
+  | OpeningOrEmpty
+  | ACoordinate
+  | CommaOrClosing
+  | TheLineEnd
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | Where in a JSON document.
 data JsonPath = Root | Key !JsonPath !Text | Item !JsonPath !Int
   deriving (Eq, Ord, Show)
 
--- | Why a JSON value does not have the shape of its place in a scene.
+-- | Why a JSON value does not have the shape of its place in a scene. What was found is told in words.
 data ShapeFault
-  = WrongKind !Found !Wanted
+  = WrongKind !String !Wanted
   | -- | Neither this key nor one of the others that would do.
     MissingKey !(NonEmpty Text) !Wanted
   | -- | Two keys of which only one may be given.
@@ -79,7 +86,7 @@ data ShapeFault
   | DuplicateKey !Text
   | -- | A key of @sides@ that is no side number.
     BadSideKey !Text
-  | BadNumber !Found !NumberFault
+  | BadNumber !String !NumberFault
   | BadOutline !OutlineFault
   | -- | A ring within the enclosure's outer one.
     EnclosureHole
@@ -99,33 +106,6 @@ data OutlineFault
     ShortLine !Int
   | -- | A ring within a polygon's outer one.
     Hole
-  deriving (Eq, Ord, Show)
-
--- | Why a line of WKT is not a geometry of a scene.
-data WktFault
-  = -- | The word or sign found, nothing at the end of the line.
-    WktUnexpected !(Maybe Text) !WktExpected
-  | WktNumber !Text !NumberFault
-  | WktOutline !OutlineFault
-  deriving (Eq, Ord, Show)
-
--- | What WKT allows at a place.
-data WktExpected
-  = AGeometry
-  | OpeningOrEmpty
-  | ACoordinate
-  | CommaOrClosing
-  | TheLineEnd
-  deriving (Eq, Ord, Show, Enum, Bounded)
-
--- | A JSON value, as far as a message repeats it. A number is kept as it is spelled.
-data Found
-  = FoundNull
-  | FoundBoolean !Bool
-  | FoundNumber !Text
-  | FoundString !Text
-  | FoundList !Int
-  | FoundObject
   deriving (Eq, Ord, Show)
 
 -- | What belongs in a place of a scene.
@@ -164,7 +144,6 @@ parseErrorText :: ParseError -> String
 parseErrorText fault = case fault of
   SyntaxError position why -> positionText position <> ": " <> syntaxText why
   ShapeError path why -> pathText path <> ": " <> shapeText why
-  WktError position why -> positionText position <> ": " <> wktText why
   where
     positionText (TextPosition line column) = "line " <> show line <> ", column " <> show column
 
@@ -172,6 +151,10 @@ syntaxText :: SyntaxFault -> String
 syntaxText fault = case fault of
   Unexpected found expected ->
     "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
+  UnexpectedWord found expected ->
+    "found " <> maybe "the end of the line" quoted found <> "; " <> expectedText expected
+  BadWord spelled why -> quoted spelled <> numberFaultText why
+  BadGeometry why -> outlineText why
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
   InvalidUtf8 -> "these bytes are not UTF-8; save the file as UTF-8"
   TooDeep limit -> "more than " <> show limit <> " brackets are open; a scene needs no more than ten"
@@ -200,6 +183,11 @@ expectedText expected = case expected of
   AnEscape -> "one of \" \\ / b f n r t u belongs here"
   AHexDigit -> "four hexadecimal digits belong here"
   TheEnd -> "nothing may follow the scene"
+  AGeometry -> "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here"
+  OpeningOrEmpty -> "( or EMPTY belongs here"
+  ACoordinate -> "a number belongs here, two for each position"
+  CommaOrClosing -> ", or ) belongs here, and all of a geometry on one line"
+  TheLineEnd -> "nothing may follow the geometry, give each a line of its own"
 
 -- | @$.polygons[2].corners[0]@; a key that is no plain word stands in brackets and quotes.
 pathText :: JsonPath -> String
@@ -215,7 +203,7 @@ pathText path = case path of
 
 shapeText :: ShapeFault -> String
 shapeText fault = case fault of
-  WrongKind found wanted -> "found " <> foundText found <> "; give " <> wantedText wanted
+  WrongKind found wanted -> "found " <> found <> "; give " <> wantedText wanted
   MissingKey (key :| []) wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
   MissingKey keys wanted ->
     "has neither " <> intercalate " nor " (map quoted (toList keys)) <> "; give one of them, " <> wantedText wanted
@@ -224,8 +212,8 @@ shapeText fault = case fault of
     "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
-  BadNumber found NotANumber -> foundText found <> " is not a number; give " <> wantedText WantedNumber
-  BadNumber found why -> foundText found <> numberFaultText why
+  BadNumber found NotANumber -> found <> " is not a number; give " <> wantedText WantedNumber
+  BadNumber found why -> found <> numberFaultText why
   BadOutline why -> outlineText why
   EnclosureHole -> "is a hole of the enclosure; leave it out, and give what stands there as a polygon of its own"
   EnclosureWall -> "is a line and cannot be the enclosure; give a Polygon"
@@ -247,21 +235,6 @@ outlineText fault = case fault of
     positions n = show n <> " positions"
     pointText (Point x y) = "(" <> numberText x <> ", " <> numberText y <> ")"
 
-wktText :: WktFault -> String
-wktText fault = case fault of
-  WktUnexpected found expected ->
-    "found " <> maybe "the end of the line" quoted found <> "; " <> wktExpectedText expected
-  WktNumber spelled why -> quoted spelled <> numberFaultText why
-  WktOutline why -> outlineText why
-
-wktExpectedText :: WktExpected -> String
-wktExpectedText expected = case expected of
-  AGeometry -> "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here"
-  OpeningOrEmpty -> "( or EMPTY belongs here"
-  ACoordinate -> "a number belongs here, two for each position"
-  CommaOrClosing -> ", or ) belongs here, and all of a geometry on one line"
-  TheLineEnd -> "nothing may follow the geometry, give each a line of its own"
-
 -- | What is wrong with a number and what would be right, to follow its text.
 numberFaultText :: NumberFault -> String
 numberFaultText why = case why of
@@ -270,18 +243,6 @@ numberFaultText why = case why of
   ExponentTooLarge ->
     let limit = show exponentLimit
      in " has too large an exponent; give one from -" <> limit <> " to " <> limit
-
-foundText :: Found -> String
-foundText found = case found of
-  FoundNull -> "null"
-  FoundBoolean True -> "true"
-  FoundBoolean False -> "false"
-  FoundNumber spelled -> Text.unpack (shortened spelled)
-  FoundString text -> quoted text
-  FoundList 0 -> "an empty list"
-  FoundList 1 -> "a list of 1 element"
-  FoundList n -> "a list of " <> show n <> " elements"
-  FoundObject -> "an object"
 
 wantedText :: Wanted -> String
 wantedText wanted = case wanted of
@@ -315,7 +276,7 @@ wantedText wanted = case wanted of
     geometryTypes =
       "\"Polygon\", \"MultiPolygon\", \"LineString\", \"MultiLineString\" or \"GeometryCollection\""
 
--- In double quotes, on one line, of a length that can be read.
+-- | In double quotes, on one line, of a length that can be read.
 quoted :: Text -> String
 quoted text = "\"" <> concatMap escaped (Text.unpack (shortened text)) <> "\""
   where
@@ -324,6 +285,7 @@ quoted text = "\"" <> concatMap escaped (Text.unpack (shortened text)) <> "\""
       | isControl c = "\\u" <> codeText c
       | otherwise = [c]
 
+-- | Cut where it is long.
 shortened :: Text -> Text
 shortened text
   | Text.compareLength text 60 == GT = Text.take 40 text <> Text.pack "..."

@@ -81,41 +81,18 @@ data Entry = Entry !Builder !(Maybe RootSum)
 document
   :: FactorFormat -> Naming -> (SideName -> Builder) -> Scene -> String -> (a -> Entry) -> [FactorRow a] -> Builder
 document format naming lengthOf scene header entry rows = case format of
-  FactorsCsv -> string7 header <> foldMap line (concatMap entries rows)
-  FactorsJson -> json naming lengthOf scene (concatMap entries rows)
+  FactorsCsv -> string7 header <> foldMap csvRow entries
+  FactorsJson -> Json.document $ pair "sides" (list side (statedSides scene)) <> pair "factors" (list factor entries)
   FactorsText -> foldMap block rows
   where
-    entries row = [(rowFrom row, to, entry x) | (to, x) <- rowFactors row]
-    line (from, to, found) = csvRow naming from to found
-    block row = textBlock naming lengthOf scene (rowFrom row) [(to, entry x) | (to, x) <- rowFactors row]
-
-decimalText :: Digits -> RootSum -> Builder
-decimalText wanted = string7 . decimal wanted
-
-csvRow :: Naming -> SideName -> Seen -> Entry -> Builder
-csvRow naming from to (Entry value measure) =
-  naming from
-    <> char7 ','
-    <> seenBuilder naming to
-    <> char7 ','
-    <> value
-    <> foldMap (\total -> char7 ',' <> rootSum total) measure
-    <> char7 '\n'
-
--- | As 'sideText' has it.
-sideBuilder :: SideName -> Builder
-sideBuilder (SideName polygon k) = case polygon of
-  Obstacle p -> intDec p <> char7 '.' <> intDec k
-  Enclosure -> string7 "E." <> intDec k
-
-seenBuilder :: Naming -> Seen -> Builder
-seenBuilder naming (TheSide s) = naming s
-seenBuilder _ TheSky = string7 (seenText TheSky)
-
-json :: Naming -> (SideName -> Builder) -> Scene -> [(SideName, Seen, Entry)] -> Builder
-json naming lengthOf scene entries =
-  Json.document $ pair "sides" (list side (statedSides scene)) <> pair "factors" (list factor entries)
-  where
+    entries = [(rowFrom row, to, entry x) | row <- rows, (to, x) <- rowFactors row]
+    seen to = case to of
+      TheSide s -> naming s
+      TheSky -> string7 (seenText TheSky)
+    csvRow (from, to, Entry value measure) =
+      naming from <> char7 ',' <> seen to <> char7 ',' <> value
+        <> foldMap (\total -> char7 ',' <> rootSum total) measure
+        <> char7 '\n'
     side s =
       pairs $
         pair "id" (ascii (naming s))
@@ -124,9 +101,28 @@ json naming lengthOf scene entries =
     factor (from, to, Entry value measure) =
       pairs $
         pair "from" (ascii (naming from))
-          <> pair "to" (ascii (seenBuilder naming to))
+          <> pair "to" (ascii (seen to))
           <> pair "value" (ascii value)
           <> foldMap (pair "measure" . exactTerms) measure
+    -- What the light from one side reaches.
+    block row =
+      string7 "side " <> naming (rowFrom row) <> string7 ", length " <> lengthOf (rowFrom row)
+        <> mconcat [string7 ", " <> rationalBuilder q <> string7 " of it uncovered" | q <- covering scene (rowFrom row)]
+        <> string7 ", sees\n"
+        <> mconcat [textRow to (entry x) | (to, x) <- rowFactors row]
+    textRow to (Entry value measure) =
+      string7 "  " <> padded (seen to) <> value <> foldMap equals measure <> char7 '\n'
+    padded name = name <> string7 (replicate (max 1 (10 - fromIntegral (Lazy.length (toLazyByteString name)))) ' ')
+    equals total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
+
+decimalText :: Digits -> RootSum -> Builder
+decimalText wanted = string7 . decimal wanted
+
+-- | As 'sideText' has it.
+sideBuilder :: SideName -> Builder
+sideBuilder (SideName polygon k) = case polygon of
+  Obstacle p -> intDec p <> char7 '.' <> intDec k
+  Enclosure -> string7 "E." <> intDec k
 
 -- | The part of a side that is not covered, where that is not all of it.
 covering :: Scene -> SideName -> [Rational]
@@ -137,22 +133,6 @@ exactTerms :: RootSum -> Encoding
 exactTerms = list term . RootSum.terms
   where
     term (c, n) = list ascii [rationalBuilder c, integerDec n]
-
--- | What the light from one side reaches.
-textBlock :: Naming -> (SideName -> Builder) -> Scene -> SideName -> [(Seen, Entry)] -> Builder
-textBlock naming lengthOf scene s entries =
-  string7 "side "
-    <> naming s
-    <> string7 ", length "
-    <> lengthOf s
-    <> foldMap (\part -> string7 ", " <> rationalBuilder part <> string7 " of it uncovered") (covering scene s)
-    <> string7 ", sees\n"
-    <> foldMap row entries
-  where
-    row (to, Entry value measure) =
-      string7 "  " <> padded (seenBuilder naming to) <> value <> foldMap equals measure <> char7 '\n'
-    padded name = name <> string7 (replicate (max 1 (10 - fromIntegral (Lazy.length (toLazyByteString name)))) ' ')
-    equals total = string7 "  = (" <> rootSum total <> string7 ") / (2 L)"
 
 -- | A sum of roots for people: @1\/2*sqrt(13) - 3@.
 rootSum :: RootSum -> Builder

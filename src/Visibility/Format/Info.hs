@@ -1,13 +1,16 @@
--- | The sizes of a scene and of its complex, for people.
+-- | The sizes of a scene and of its complex, and what became of the complex's laws, for people.
 module Visibility.Format.Info
   ( infoText
+  , verdictText
   ) where
 
 import qualified Data.Text as Text
 import Numeric (showFFloat)
+import Visibility.Complex.Law (Law (..))
 import Visibility.Count
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Point
+import Visibility.Law (Violation (..))
 import Visibility.Scene
 import Visibility.Sweep (Scheduler (..))
 
@@ -50,3 +53,19 @@ arithmeticText scene = case sceneArithmetic scene of
     _ -> "filtered: floating-point filter, integers behind it" <> lattice
   where
     lattice = " (" <> show (bitLength (latticeScale (sceneLattice scene))) <> "-bit common denominator)"
+
+-- | A line for each law that has been decided: whether it holds, and its name; below one that does not, what it says
+-- and its first counter-examples. The last line counts.
+verdictText :: [(Law a, [Violation])] -> String
+verdictText verdicts = unlines (concatMap block verdicts <> [total])
+  where
+    block (law, found)
+      | null found = ["holds   " <> lawName law]
+      | otherwise =
+          ("BROKEN  " <> lawName law)
+            : ("        " <> lawStatement law)
+            : map (("        " <>) . violationDetails) (take shown found)
+              <> ["        and " <> show (length found - shown) <> " more" | length found > shown]
+    total = show (length verdicts - failures) <> " laws hold, " <> show failures <> " broken"
+    failures = length (filter (not . null . snd) verdicts)
+    shown = 10

@@ -50,7 +50,7 @@ geometries numbered = case numbered of
     | isPassedOver line -> geometries rest
     | otherwise -> case geometry (tokens line) of
         Left (Stop place expected) ->
-          fault (WktError (at n line place) (WktUnexpected (tokenText <$> place) expected))
+          fault (SyntaxError (at n line place) (UnexpectedWord (tokenText <$> place) expected))
             *> geometries (if isNothing place then dropWhile (goesOn . snd) rest else rest)
         Right found -> (<>) <$> found n <*> geometries rest
   where
@@ -87,7 +87,7 @@ isMark c = c == '(' || c == ')' || c == ','
 -- Syntax ----------------------------------------------------------------------------------------------------------
 
 -- | What has been found where something else was expected, nothing at the end of the line.
-data Stop = Stop !(Maybe Token) !WktExpected
+data Stop = Stop !(Maybe Token) !Expected
 
 type Step a = [Token] -> Either Stop (a, [Token])
 
@@ -97,7 +97,7 @@ data Group a = Group !Int ![a]
 -- | The spellings of x and y.
 data Position = Position !Token !Token
 
-stop :: WktExpected -> [Token] -> Either Stop a
+stop :: Expected -> [Token] -> Either Stop a
 stop expected rest = Left (Stop (case rest of token : _ -> Just token; [] -> Nothing) expected)
 
 -- The polygons of a line with this number.
@@ -154,7 +154,7 @@ polygons n (Group _ rings) = case rings of
   [] -> Good []
   outer : holes -> (: []) <$> (outline ringPolygon n outer <* traverse_ hole holes)
   where
-    hole (Group column _) = fault (WktError (TextPosition n column) (WktOutline Hole))
+    hole (Group column _) = fault (SyntaxError (TextPosition n column) (BadGeometry Hole))
 
 walls :: Int -> Group Position -> Checked [RawPolygon]
 walls n line = case line of
@@ -163,10 +163,10 @@ walls n line = case line of
 
 outline :: ([Point] -> Either OutlineFault RawPolygon) -> Int -> Group Position -> Checked RawPolygon
 outline made n (Group column positions) =
-  eachOf (const point) positions `andThen` (either (fault . WktError (TextPosition n column) . WktOutline) Good . made)
+  eachOf (const point) positions `andThen` (either (fault . SyntaxError (TextPosition n column) . BadGeometry) Good . made)
   where
     point (Position x y) = Point <$> number x <*> number y
-    number (Token k word) = either (fault . WktError (TextPosition n k) . WktNumber word) Good (readWktNumber word)
+    number (Token k word) = either (fault . SyntaxError (TextPosition n k) . BadWord word) Good (readWktNumber word)
 
 -- WKT, unlike JSON, allows a plus sign, and a point without digits on one side.
 readWktNumber :: Text -> Either NumberFault Rational

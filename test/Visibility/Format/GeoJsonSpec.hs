@@ -70,8 +70,8 @@ spec = describe "readGeoJson" $ do
       `shouldBe` Left
         ( fmap
             (UnparseableFile "a" . uncurry ShapeError)
-            ( (Item (Item (Key Root "coordinates") 0) 0, WrongKind (FoundList 1) WantedPosition)
-                :| [ (Item (Key Root "coordinates") 1, WrongKind (FoundNumber "7") WantedPositions)
+            ( (Item (Item (Key Root "coordinates") 0) 0, WrongKind "a list of 1 element" WantedPosition)
+                :| [ (Item (Key Root "coordinates") 1, WrongKind "7" WantedPositions)
                    , (Item (Key Root "coordinates") 2, BadOutline (ShortLine 1))
                    ]
             )

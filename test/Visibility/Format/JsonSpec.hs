@@ -64,9 +64,9 @@ spec = do
           ( fmap
               (UnparseableFile "a" . uncurry ShapeError)
               ( (Root, UnknownKey "x" ["format", "name", "enclosure", "polygons"])
-                  :| [ (Item (Item (Item polygons 0) 0) 1, WrongKind FoundNull WantedNumber)
-                     , (Item (Item polygons 0) 1, WrongKind (FoundList 1) WantedCorner)
-                     , (Item polygons 1, WrongKind (FoundNumber "7") WantedPolygon)
+                  :| [ (Item (Item (Item polygons 0) 0) 1, WrongKind "null" WantedNumber)
+                     , (Item (Item polygons 0) 1, WrongKind "a list of 1 element" WantedCorner)
+                     , (Item polygons 1, WrongKind "7" WantedPolygon)
                      ]
               )
           )

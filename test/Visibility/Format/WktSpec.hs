@@ -61,7 +61,7 @@ spec = describe "readWkt" $ do
       it (show word) $
         fmap rawName (readWkt "a" ("LINESTRING (" <> word <> " 0, 1 0)"))
           `shouldBe` Left
-            (UnparseableFile "a" (WktError (TextPosition 1 13) (WktNumber (decoded word) NotANumber)) :| [])
+            (UnparseableFile "a" (SyntaxError (TextPosition 1 13) (BadWord (decoded word) NotANumber)) :| [])
   prop "reads what is written in any of the ways, to the same scene" $
     forAll outlinedScenes $ \raw ->
       forAll (wktOf raw) $ \bytes ->
@@ -69,17 +69,17 @@ spec = describe "readWkt" $ do
           readWkt "a" bytes === Right (RawScene Nothing Nothing (map bare (rawPolygons raw)))
   it "reports faults of every line; what goes on with a geometry that ended early is not its own fault" $
     faultsOf "POINT (1 2)\nPOLYGON ((0 0, 1 0,\n 0 1,\n\n 0 0))\nLINESTRING (0 0)\n((7\n"
-      `shouldBe` [ (1, 1, WktUnexpected (Just "POINT") AGeometry)
-                 , (2, 20, WktUnexpected Nothing ACoordinate)
-                 , (6, 12, WktOutline (ShortLine 1))
-                 , (7, 1, WktUnexpected (Just "(") AGeometry)
+      `shouldBe` [ (1, 1, UnexpectedWord (Just "POINT") AGeometry)
+                 , (2, 20, UnexpectedWord Nothing ACoordinate)
+                 , (6, 12, BadGeometry (ShortLine 1))
+                 , (7, 1, UnexpectedWord (Just "(") AGeometry)
                  ]
   it "counts characters, not bytes" $
     faultsOf "\195\169 (\nLINESTRING (0 0, \195\169\195\169 1, 1/0 1e401)"
-      `shouldBe` [ (1, 1, WktUnexpected (Just "\233") AGeometry)
-                 , (2, 18, WktNumber "\233\233" NotANumber)
-                 , (2, 24, WktNumber "1/0" ZeroDenominator)
-                 , (2, 28, WktNumber "1e401" ExponentTooLarge)
+      `shouldBe` [ (1, 1, UnexpectedWord (Just "\233") AGeometry)
+                 , (2, 18, BadWord "\233\233" NotANumber)
+                 , (2, 24, BadWord "1/0" ZeroDenominator)
+                 , (2, 28, BadWord "1e401" ExponentTooLarge)
                  ]
   it "wants UTF-8" $
     readWkt "a" "# caf\233\n"
@@ -96,4 +96,4 @@ spec = describe "readWkt" $ do
     faultsOf text = case readWkt "a" text of
       Right _ -> []
       Left problems ->
-        [(line, column, why) | UnparseableFile _ (WktError (TextPosition line column) why) <- toList problems]
+        [(line, column, why) | UnparseableFile _ (SyntaxError (TextPosition line column) why) <- toList problems]

@@ -6,7 +6,6 @@ module Visibility.Format.Json.Shape
     readDocument
   , wrong
   , wrongKind
-  , found
     -- * Values
   , stringAt
   , numberAt
@@ -18,10 +17,12 @@ module Visibility.Format.Json.Shape
   ) where
 
 import Data.ByteString (ByteString)
+import Data.Containers.ListUtils (nubOrd)
 import Data.Foldable (traverse_)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.Set as Set
 import Data.Text (Text)
+import qualified Data.Text as Text
 import Visibility.Error
 import Visibility.Format.Checked
 import Visibility.Format.Json.Syntax
@@ -45,14 +46,16 @@ wrongKind :: JsonPath -> Value -> Wanted -> Checked a
 wrongKind path other wanted = wrong path (WrongKind (found other) wanted)
 
 -- | What messages call a value.
-found :: Value -> Found
+found :: Value -> String
 found other = case other of
-  Null -> FoundNull
-  Boolean b -> FoundBoolean b
-  Number spelled -> FoundNumber (decoded spelled)
-  String text -> FoundString text
-  List items -> FoundList (length items)
-  Object _ -> FoundObject
+  Null -> "null"
+  Boolean b -> if b then "true" else "false"
+  Number spelled -> Text.unpack (shortened (decoded spelled))
+  String text -> quoted text
+  List [] -> "an empty list"
+  List [_] -> "a list of 1 element"
+  List items -> "a list of " <> show (length items) <> " elements"
+  Object _ -> "an object"
 
 -- | A string.
 stringAt :: JsonPath -> Document -> Checked Text
@@ -85,22 +88,13 @@ checkedKeys :: JsonPath -> [Text] -> [(Text, Document)] -> Checked ()
 checkedKeys path allowed members =
   checkedTwins path members *> traverse_ (\key -> wrong path (UnknownKey key allowed)) unknown
   where
-    unknown = distinct (filter (`notElem` allowed) (map fst members))
+    unknown = nubOrd (filter (`notElem` allowed) (map fst members))
 
 -- | Every key is given once.
 checkedTwins :: JsonPath -> [(Text, Document)] -> Checked ()
-checkedTwins path members = traverse_ (wrong path . DuplicateKey) (distinct (repeated Set.empty (map fst members)))
+checkedTwins path members = traverse_ (wrong path . DuplicateKey) (nubOrd (repeated Set.empty (map fst members)))
   where
     repeated _ [] = []
     repeated seen (key : keys)
       | key `Set.member` seen = key : repeated seen keys
       | otherwise = repeated (Set.insert key seen) keys
-
--- In the order of their first appearance.
-distinct :: [Text] -> [Text]
-distinct = go Set.empty
-  where
-    go _ [] = []
-    go seen (key : keys)
-      | key `Set.member` seen = go seen keys
-      | otherwise = key : go (Set.insert key seen) keys
