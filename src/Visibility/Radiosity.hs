@@ -19,19 +19,20 @@ module Visibility.Radiosity
 
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Interval
+import Visibility.Exact.RootSum (enclosure, enclosureRelative)
 import Visibility.Exact.Rounding (Digits, digitCount, digits, defaultDigits)
 import Visibility.FormFactor
-import Visibility.Law (Violation (..), broken)
+import Visibility.Law (Violation (..), broken, ensure)
 import Visibility.Mesh.Element
-import Visibility.Radiosity.Balance
 import Visibility.Radiosity.Certificate
 import Visibility.Radiosity.Solve
 import Visibility.Radiosity.System
-import Visibility.Scene
+import Visibility.Scene hiding (PolygonId (..))
 import Visibility.Scene.Raw (Material (..))
 
 -- | How close bounds must be to each other, and from which form factors they are found.
@@ -136,9 +137,7 @@ radiosityOfElements closeness cut@(Refined scene elements) sums = do
 
 -- | So many digits that an outward rounding of both ends costs less than a tenth of the tolerance.
 digitsFor :: Rational -> Digits
-digitsFor x = case digits (length (takeWhile (< 20 / x) (iterate (* 10) 1)) + 1) of
-  Just n -> n
-  Nothing -> defaultDigits
+digitsFor x = fromMaybe defaultDigits (digits (length (takeWhile (< 20 / x) (iterate (* 10) 1)) + 1))
 
 averages :: [Lit] -> [(SideName, (Rational, Rational))]
 averages found = Map.toAscList (Map.map mean (Map.fromListWith (<>) [(elementSide (litElement l), [l]) | l <- found]))
@@ -150,3 +149,49 @@ averages found = Map.toAscList (Map.map mean (Map.fromListWith (<>) [(elementSid
        in (by fst, by snd)
     free l = whole l * litOpen l
     whole l = elementTo (litElement l) - elementFrom (litElement l)
+
+-- | Powers, each within proved bounds: emission and radiosity times length, in the file's units.
+data Balance = Balance
+  { emittedPower :: !(Rational, Rational)
+  , absorbedPower :: !(Rational, Rational)
+  , lostPower :: !(Rational, Rational)
+  -- ^ What the sky takes.
+  }
+  deriving (Eq, Show)
+
+-- | The powers that bounds of the radiosities imply: Σ P E, Σ (1 − ρ) L Σ_j F_ij B_j, Σ L F_sky B, with P the length
+-- that is not covered.
+--
+-- /Cost/ O(n) products, and a root for each length.
+balanceOf :: System -> Enclosure -> Balance
+balanceOf system (Enclosure leaving arriving) =
+  Balance
+    { emittedPower = power (V.zipWith emitting patches lengths)
+    , absorbedPower = power (V.zipWith3 absorbing patches lengths arriving)
+    , lostPower = power (V.zipWith3 losing patches lengths leaving)
+    }
+  where
+    w@(BinaryPlaces places) = systemPlaces system
+    patches = systemPatches system
+    -- Lengths by a power of two.
+    longest = maximum (0 : map (halvings . max 0 . snd . enclosureRelative 8 . patchLength) (V.toList patches))
+    lengths = V.map (within . enclosure (places - longest) . patchLength) patches
+    within (low, high) = between w (max 0 low * powerOfTwo (negate longest), high * powerOfTwo (negate longest))
+    emitting patch len = multiple (patchOpen patch) (times w len (patchEmission patch))
+    absorbing patch len light = multiple (1 - reflectivity (patchMaterial patch)) (times w len light)
+    losing patch len = times w (times w len (patchSky patch))
+    power found = let (low, high) = ends w (V.foldl' plus (Interval 0 0) found) in (low * unit, high * unit)
+    unit = powerOfTwo (systemScale system + longest)
+
+-- | Emitted is absorbed and lost: the bounds must meet.
+--
+-- /Laws/ empty for bounds that hold.
+balanceViolations :: Balance -> [Violation]
+balanceViolations (Balance (low, high) (absorbedLow, absorbedHigh) (lostLow, lostHigh)) =
+  ensure "what is emitted is absorbed or lost to the sky" (unlines [emitted, absorbed, lost]) meet
+  where
+    meet = low <= absorbedHigh + lostHigh && absorbedLow + lostLow <= high
+    emitted = "emitted  " <> shown low high
+    absorbed = "absorbed " <> shown absorbedLow absorbedHigh
+    lost = "lost     " <> shown lostLow lostHigh
+    shown a b = show (fromRational a :: Double) <> " to " <> show (fromRational b :: Double)
