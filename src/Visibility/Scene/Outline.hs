@@ -13,6 +13,7 @@ module Visibility.Scene.Outline
   , noCorner
   , segmentStarts
   , segmentFrom
+  , startOf
   , ownerOf
   , ownersFrom
     -- * Places
@@ -21,6 +22,10 @@ module Visibility.Scene.Outline
   , numberOf
   , placeOf
   , outlinePoint
+    -- * Solids
+  , Solid (..)
+  , solidFlank
+  , solidOf
     -- * Names
   , sideFirsts
   , sideNumberOf
@@ -30,9 +35,11 @@ module Visibility.Scene.Outline
   ) where
 
 import Data.Int (Int32)
+import Data.List (foldl')
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
+import Visibility.Exact.Predicate (turn)
 import Visibility.Scene.Contact
 import Visibility.Scene.Id
 import Visibility.Scene.Raw
@@ -67,22 +74,26 @@ data Outline = Outline
   -- ^ All corners in the order of their places.
   , outlineNumbers :: !(U.Vector Int32)
   -- ^ By corner: the number of its place among all places with corners, in their order.
+  , outlineFlanks :: !(V.Vector Solid)
+  -- ^ See 'solidFlank'. Each is found when it is first needed.
   }
 
 -- | /Requires/ at least one corner in each shape. /Cost/ O(n log n).
 outline :: [Shape] -> Outline
-outline shapes =
-  Outline
-    { outlineIds = V.fromList (map fst shapes)
-    , outlineForms = V.fromList (map formOf shapes)
-    , outlineFirst = firsts
-    , outlineOwner = ownersFrom firsts
-    , outlineLattice = lattice
-    , outlineRanked = r
-    , outlineOrder = order
-    , outlineNumbers = U.update_ (U.replicate (U.length order) 0) (U.map fromIntegral order) (U.scanl' (+) 0 steps)
-    }
+outline shapes = whole
   where
+    whole =
+      Outline
+        { outlineIds = V.fromList (map fst shapes)
+        , outlineForms = V.fromList (map formOf shapes)
+        , outlineFirst = firsts
+        , outlineOwner = ownersFrom firsts
+        , outlineLattice = lattice
+        , outlineRanked = r
+        , outlineOrder = order
+        , outlineNumbers = U.update_ (U.replicate (U.length order) 0) (U.map fromIntegral order) (U.scanl' (+) 0 steps)
+        , outlineFlanks = V.generate (length shapes) (flankOf whole)
+        }
     firsts = U.fromList (scanl (+) 0 (map (cornerTotal . snd) shapes))
     points = concatMap (rawCorners . snd) shapes
     lattice = latticeFor points
@@ -143,6 +154,10 @@ segmentStarts o p = case outlineForms o V.! p of
 segmentFrom :: Outline -> Int -> Segment
 segmentFrom o i = Segment i (around o 1 i)
 
+-- | The corner that starts a segment of which the ends are given in any order.
+startOf :: Outline -> Segment -> Int
+startOf o (Segment a b) = if fst (joinedTo o a) == b then a else b
+
 -- | The place of a corner's polygon in 'outlineIds'.
 ownerOf :: Outline -> Int -> Int
 ownerOf o i = fromIntegral (outlineOwner o U.! i)
@@ -172,6 +187,32 @@ placeOf :: Outline -> Int -> (Int, Int)
 placeOf o i = (column r i, row r i)
   where
     r = outlineRanked o
+
+-- | Where a polygon has its solid, seen on a way along its boundary. A wall has none.
+data Solid = OnLeft | OnRight | Nowhere
+  deriving (Eq)
+
+-- | Where a polygon has its solid on the way around it in the file's order, if it does not meet itself. The turn at the
+-- least corner, which is convex and not flat in a simple polygon; the solid of an enclosure lies outside.
+solidFlank :: Outline -> Int -> Solid
+solidFlank o p = outlineFlanks o V.! p
+{-# INLINE solidFlank #-}
+
+flankOf :: Outline -> Int -> Solid
+flankOf o p
+  | outlineForms o V.! p == Polyline = Nowhere
+  | (turnThere == LeftTurn) == (outlineIds o V.! p /= Enclosure) = OnLeft
+  | otherwise = OnRight
+  where
+    turnThere = turn (rankedPoints (outlineRanked o)) (around o (-1) least) least (around o 1 least)
+    least = foldl' (\i j -> if numberOf o j < numberOf o i then j else i) (outlineFirst o U.! p) (cornersOf o p)
+
+-- | The same on the way along a segment, from its first end to its second.
+solidOf :: Outline -> Segment -> Solid
+solidOf o side@(Segment a _) = case solidFlank o (ownerOf o a) of
+  OnLeft | startOf o side /= a -> OnRight
+  OnRight | startOf o side /= a -> OnLeft
+  flank -> flank
 
 -- | By polygon: the number of its side 0 among all sides; then the number of sides.
 sideFirsts :: Outline -> U.Vector Int

@@ -6,6 +6,10 @@
 -- Verticals lean a little to the right, by as little as you like: corners on one vertical are met in lexicographic
 -- order, and a vertical side starts at its lower end. A side is given as a segment from its left end to its right one.
 -- The two sides of a thin wall of one piece are one; the two faces of a piece of a longer one are two, in one place.
+--
+-- Sides may share a place, pass one, and lie along each other. What reaches a place is then next to each other among
+-- the sides that are met: it is taken out there, and what goes on is put back with what begins, in the order of the
+-- directions in which it leads away.
 module Visibility.Scene.Scan
   ( -- * What is scanned
     Plane (..)
@@ -15,6 +19,7 @@ module Visibility.Scene.Scan
   , scanning
   , Place (..)
   , Change (..)
+  , Kept (..)
     -- * The sides that are met
   , Slot
   , noSlot
@@ -22,9 +27,10 @@ module Visibility.Scene.Scan
   , isUnder
   ) where
 
+import Control.Monad (unless)
 import Control.Monad.ST (ST)
 import Data.Int (Int32)
-import Data.List (delete, sortBy)
+import Data.List (sortBy)
 import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Exact.Point (Points)
 import Visibility.Exact.Predicate
@@ -32,8 +38,8 @@ import Visibility.Law (broken)
 import Visibility.Scene.Contact (Segment (..))
 import Visibility.Scene.Status
 
--- | Corners by number, joined by sides that meet in corners only. They are scanned in the order of their places, those
--- of one place together.
+-- | Corners by number, joined by sides that do not cross. They are scanned in the order of their places, those of one
+-- place together.
 data Plane = Plane
   { planePoints :: !Points
   , cornerTotal :: !Int
@@ -43,8 +49,10 @@ data Plane = Plane
   -- ^ How many corners are in the place of the one that is scanned after so many others and is the first there.
   , joinedCorners :: Int -> (Int, Int)
   -- ^ The corners to which sides lead from one. They may be the same.
-  , isScannedAfter :: Int -> Int -> Bool
-  -- ^ Is a corner one that is scanned after so many others and one more? False of what is no corner.
+  , isInLaterPlace :: Int -> Int -> Bool
+  -- ^ Is the place of the second corner scanned after that of the first? False of what is no corner.
+  , reaches :: Segment -> Int -> Bool
+  -- ^ Does a side that is met end in the place of a corner, or pass it, if all between the two does?
   , isLowerFace :: Segment -> Bool
   -- ^ Of two faces of one piece of a wall, is this the lower one, which has free space on its right?
   }
@@ -62,18 +70,20 @@ data Scan s = Scan
 -- the place and just above it, and what becomes of those between.
 data Place = Place !Int !Int !Slot !Slot !Change
 
--- | What becomes of the sides that end in a place. Slots that are new have numbers above those of all others.
+-- | What becomes of the sides that reach a place.
 data Change
-  = -- | Nothing begins there.
-    Ended
-  | -- | The one side that begins takes the slot of the one that ends.
+  = -- | One side ends, and the one that begins takes its slot.
     TakenOver !Slot
-  | -- | So many sides begin, from the lowest to the uppermost in slots from this one on.
-    Begun !Slot !Int
+  | -- | These sides were met, and these are now, from the lowest to the uppermost. Those that pass are in both.
+    Replaced [Kept] [Kept]
+
+-- | A side and its slot.
+data Kept = Kept {keptSlot :: !Slot, keptSide :: !Segment}
 
 -- | Goes over all places. At each it is told what has changed there, and how to go on, or not.
 --
--- /Requires/ sides that are in order as far as the scan goes. /Cost/ O(n log n) for n corners, O(n) memory.
+-- /Requires/ sides that are in order as far as the scan goes. /Cost/ O(log n) for each corner and for each side that
+-- passes a place, for n corners; O(n) memory.
 --
 -- /Source/ Shamos and Hoey, Geometric intersection problems, 1976.
 scanning :: Plane -> (Scan s -> a -> Place -> (a -> ST s a) -> ST s a) -> a -> ST s a
@@ -89,42 +99,62 @@ scanning plane told begin = do
           let c = cornerScanned plane k
               (d, e) = joinedCorners plane c
               size = cornersHere plane k
-              onlyLater = if isScannedAfter plane k d then d else e
+              onlyLater = if isInLaterPlace plane c d then d else e
           s <- get arrivals (2 * c)
           t <- get arrivals (2 * c + 1)
           -- What happens most often has a way of its own, without lists.
-          if s /= noSlot && t == noSlot && size == 1 && isScannedAfter plane k onlyLater
+          if s /= noSlot && t == noSlot && size == 1 && isInLaterPlace plane c onlyLater
             then do
-              occupy s (Segment c onlyLater)
               low <- below status s
               high <- above status s
-              told scan found (Place k 1 low high (TakenOver s)) (visit (k + 1) unused)
-            else do
-              let others = if size == 1 then [] else map (cornerScanned plane) [k + 1 .. k + size - 1]
-                  starting = startingSides plane k (c : others)
-                  count = length starting
-              (low, high) <- concat <$> mapM arriving others >>= gap c s t
-              filled low high unused starting
-              told scan found (Place k size low high (if count == 0 then Ended else Begun unused count)) $
-                visit (k + size) (unused + count)
+              alone <- (\lower upper -> not (lower || upper)) <$> isReached c low <*> isReached c high
+              if alone
+                then do
+                  occupy s (Segment c onlyLater)
+                  told scan found (Place k 1 low high (TakenOver s)) (visit (k + 1) unused)
+                else replaced k c size s unused found
+            else replaced k c size s unused found
 
-    -- The slots around a place, when those that end there have been taken out: those of its first corner and others.
-    gap c s t others
-      | s /= noSlot = remove status s >>= widened c (if t == noSlot then others else t : others)
-      | otherwise = case others of
-          [] -> lookupGap status (fmap not . isUnder plane scan c)
-          o : more -> remove status o >>= widened c more
-    widened _ [] around = pure around
-    -- Unsafe arithmetic may get the sides out of order.
-    widened c slots (low, high) = case filter (\s -> s == low || s == high) slots of
-      s : _ -> remove status s >>= widened c (delete s slots)
-      [] -> broken "the sides that a vertical meets are in order" ("at corner " <> show c)
+    -- At a place of so many corners, the first of them c, where a side ends in slot s if that is one.
+    replaced k c size s unused found = do
+      (underneath, overhead) <-
+        if s == noSlot then lookupGap status (fmap not . isUnder plane scan c) else (,) s <$> above status s
+      (lower, low) <- lowerFrom c [] underneath
+      (upper, high) <- upperFrom c overhead
+      let met = lower <> upper
+          passing = filter (\(Kept _ (Segment _ b)) -> isInLaterPlace plane c b) met
+          others = if size == 1 then [] else map (cornerScanned plane) [k + 1 .. k + size - 1]
+          beginning = zipWith Kept [unused ..] (startingSides plane c others)
+          now = upwardsFrom plane c (beginning <> passing)
+      ending <- length . filter (/= noSlot) <$> mapM (get arrivals) (concat [[2 * i, 2 * i + 1] | i <- c : others])
+      -- Unsafe arithmetic may get the sides out of order.
+      unless (length met == length passing + ending) $
+        broken "the sides that a vertical meets are in order" ("at corner " <> show c)
+      filled low high now
+      mapM_ (\(Kept slot side) -> occupy slot side) beginning
+      told scan found (Place k size low high (Replaced met now)) (visit (k + size) (unused + length beginning))
 
-    filled _ _ _ [] = pure ()
-    filled low high s (side : others) = do
-      occupy s side
-      insertBetween status low high s
-      filled s high (s + 1) others
+    -- Takes out what reaches a place, from a slot on downwards or upwards: that, and the slot next to it.
+    lowerFrom c found low = do
+      reached <- isReached c low
+      if reached
+        then do
+          side <- sideIn scan low
+          (next, _) <- remove status low
+          lowerFrom c (Kept low side : found) next
+        else pure (found, low)
+    upperFrom c high = do
+      reached <- isReached c high
+      if reached
+        then do
+          side <- sideIn scan high
+          (_, next) <- remove status high
+          (rest, final) <- upperFrom c next
+          pure (Kept high side : rest, final)
+        else pure ([], high)
+
+    filled _ _ [] = pure ()
+    filled low high (Kept s _ : more) = insertBetween status low high s >> filled s high more
 
     occupy s (Segment a b) = do
       put (scanEnds scan) (2 * s) a
@@ -132,28 +162,31 @@ scanning plane told begin = do
       first <- get arrivals (2 * b)
       put arrivals (if first == noSlot then 2 * b else 2 * b + 1) s
 
-    arriving c = do
-      s <- get arrivals (2 * c)
-      t <- get arrivals (2 * c + 1)
-      pure (filter (/= noSlot) [s, t])
+    isReached c s = if s == noSlot then pure False else (\side -> reaches plane side c) <$> sideIn scan s
   visit 0 0 begin
   where
     n = cornerTotal plane
 {-# INLINE scanning #-}
 
--- | The sides that start at corners of one place, which are scanned after so many others, from the lowest to the
--- uppermost.
+-- | The sides that start at corners of one place, of which one is the first.
 startingSides :: Plane -> Int -> [Int] -> [Segment]
-startingSides plane k here = case [Segment c d | c <- here, d <- neighbours c, isScannedAfter plane k d] of
-  [side, other] -> if order side other == GT then [other, side] else [side, other]
-  found -> sortBy order found
+startingSides plane first others =
+  [Segment c d | c <- first : others, d <- neighbours c, isInLaterPlace plane first d]
   where
     neighbours c = let (d, e) = joinedCorners plane c in if d == e then [d] else [d, e]
-    order side@(Segment a b) (Segment _ d) = case turn (planePoints plane) a b d of
+{-# INLINE startingSides #-}
+
+-- | Sides that go on from the place of a corner, from the lowest to the uppermost.
+upwardsFrom :: Plane -> Int -> [Kept] -> [Kept]
+upwardsFrom plane c found = case found of
+  [side, other] -> if order side other == GT then [other, side] else found
+  _ -> sortBy order found
+  where
+    order (Kept _ side@(Segment _ b)) (Kept _ other@(Segment _ d)) = case turn (planePoints plane) c b d of
       LeftTurn -> LT
       RightTurn -> GT
-      Collinear -> if isLowerFace plane side then LT else GT
-{-# INLINE startingSides #-}
+      Collinear -> compare (isLowerFace plane other) (isLowerFace plane side)
+{-# INLINE upwardsFrom #-}
 
 -- | The side in a slot.
 sideIn :: Scan s -> Slot -> ST s Segment

@@ -148,7 +148,8 @@ verticalSweep scene = runST $ do
         , cornerScanned = id
         , cornersHere = \x -> 1 + length (takeWhile (samePlace scene (CornerId x) . CornerId) [x + 1 .. n - 1])
         , joinedCorners = \p -> (following scene p, preceding scene p)
-        , isScannedAfter = \x q -> q > x
+        , isInLaterPlace = \p q -> q > p && not (samePlace scene (CornerId p) (CornerId q))
+        , reaches = \(Segment _ b) p -> samePlace scene (CornerId b) (CornerId p)
         , isLowerFace = \(Segment a b) -> following scene a == b
         }
 
