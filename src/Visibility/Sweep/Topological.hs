@@ -80,7 +80,8 @@ data Running s = Running
   }
 
 -- Note [Waiting]
--- ~~~~~~~~~~~~~~ A line may be looked at in vain, because at one of its corners, the blocking one, a pair of less slope
+-- ~~~~~~~~~~~~~~
+-- A line may be looked at in vain, because at one of its corners, the blocking one, a pair of less slope
 -- is next, or no pair of the line is mutual there. All other corners that were met have a pair of the line as their
 -- next one of least slope. So none of them is on a vertex that is ready before the line is, and this will be found from
 -- the blocking corner, which is put on the stack when that has been swept. So until they are swept themselves they need
