@@ -13,6 +13,7 @@ module Visibility.Scene.Boxes
     -- * Queries
   , foldOverlaps
   , foldBoxes
+  , foldNearer
   ) where
 
 import Control.Monad.ST (ST, runST)
@@ -113,15 +114,25 @@ foldOverlaps combine start tree@(BoxTree order table _) = foldl' with start [0 .
 --
 -- /Cost/ O(log n + k) for k boxes in a good case, O(n) at worst.
 foldBoxes :: (Box -> Bool) -> (a -> Int -> a) -> a -> BoxTree -> a
-foldBoxes has combine start (BoxTree order table root) = go start root
+foldBoxes has = foldNearer (\_ _ -> True) (const has)
+{-# INLINE foldBoxes #-}
+
+-- | The same, where the property may depend on what has been combined, and of two groups that goes first whose box is
+-- told to be the nearer one.
+--
+-- /Requires/ that a box which has not got the property does not get it later.
+foldNearer :: (Box -> Box -> Bool) -> (a -> Box -> Bool) -> (a -> Int -> a) -> a -> BoxTree -> a
+foldNearer isNearer has combine start (BoxTree order table root) = go start root
   where
     go !acc group
-      | not (has (groupBox group)) = acc
+      | not (has acc (groupBox group)) = acc
       | otherwise = case group of
-          Halves _ a b -> go (go acc a) b
+          Halves _ a b
+            | isNearer (groupBox a) (groupBox b) -> go (go acc a) b
+            | otherwise -> go (go acc b) a
           Slice _ from to -> members acc from to
     members !acc i to
       | i >= to = acc
-      | has (at table i) = members (combine acc (order U.! i)) (i + 1) to
+      | has acc (at table i) = members (combine acc (order U.! i)) (i + 1) to
       | otherwise = members acc (i + 1) to
-{-# INLINE foldBoxes #-}
+{-# INLINE foldNearer #-}

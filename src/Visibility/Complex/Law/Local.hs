@@ -133,7 +133,7 @@ demands scene c view = zip [AboveBack, AboveFront, BelowBack, BelowFront] $ case
     leaving = Side (SideId start)
     arriving = Side (SideId previous)
 
--- | /Cost/ O(stretches · n), in machine integers where coordinates are below 2³⁰.
+-- | /Cost/ two rays for each stretch ('viewFrom').
 raysConfirm :: Law Complex
 raysConfirm =
   lawOf

@@ -36,7 +36,7 @@ data Interval = Interval
   }
   deriving (Eq, Ord, Show)
 
--- | /Cost/ for each of the eight directions O(stretches + n²), in machine integers where coordinates are below 2³⁰.
+-- | /Cost/ for each of the eight directions O(stretches + n log n), and two rays from each corner.
 sections :: Law Complex
 sections =
   lawOf
@@ -53,13 +53,14 @@ sectionsAgree directions complex =
   [ "along " <> show (x, y) <> ": " <> intervalText i <> which
   | d@(Direction x y) <- directions
   , isGeneric scene d
-  , let have = sort (sectionOf complex d)
+  , let have = sort (section d)
   , let want = sort (sectionByRays rays scene d)
   , have /= want
   , (i, which) <- differences have want
   ]
   where
     scene = complexScene complex
+    section = sectionOf complex
     rays = raysIn scene
     differences have want =
       [(i, " is in the complex only") | i <- Set.toList (Set.difference (Set.fromList have) (Set.fromList want))]
@@ -109,20 +110,28 @@ downwards scene d = sortOn (Down . offset scene d) (corners scene)
 --
 -- /Degenerate cases/ where the tables are wrong there may be too many, or some without a corner that bounds them.
 sectionOf :: Complex -> Direction -> [Interval]
-sectionOf complex d =
+sectionOf complex = section
+  where
+    -- The same at all directions.
+    read' = readings complex
+    lines' = V.map (lineOf complex) (V.enumFromN 0 (vertexTotal complex))
+    section d = sectionWith read' (V.map (\line -> compareDirections line d == LT) lines') complex d
+
+-- | By the readings, and by vertex: does it come before the direction?
+sectionWith :: Readings -> V.Vector Bool -> Complex -> Direction -> [Interval]
+sectionWith read' beforeLines complex d =
   intervals
     [(f, (Sky, Sky)) | f <- faceIds complex, isNothing (faceFirst complex f)]
     [ (c, concatMap (facesAt Above) alive, concatMap (facesAt Below) alive)
     | c@(CornerId i) <- downwards (complexScene complex) d
-    , let alive = [(e, reading) | e <- stretchesByCorner V.! i, Just reading <- [readAt e]]
+    , let alive = aliveByCorner V.! i
     ]
   where
-    read' = readings complex
-    stretchesByCorner =
-      V.accumulate
+    aliveByCorner =
+      V.accum
         (flip (:))
         (V.replicate (cornerCount (complexScene complex)) [])
-        (V.fromList [(c, e) | e <- stretchIds complex, let CornerId c = edgeCorner complex e])
+        [(c, (e, reading)) | e <- stretchIds complex, Just reading <- [readAt e], let CornerId c = edgeCorner complex e]
     -- Is the direction within the stretch, and before or after the end of the half turn?
     readAt e
       | wrapsAround complex e = if begun then Just Forwards else if ended then Nothing else Just Backwards
@@ -130,8 +139,6 @@ sectionOf complex d =
       where
         begun = beforeLines V.! startOf complex e
         ended = beforeLines V.! endOf complex e
-    -- By vertex: does it come before the direction?
-    beforeLines = V.generate (vertexTotal complex) (\v -> compareDirections (lineOf complex v) d == LT)
     facesAt flank (e, reading) =
       nub
         [ (f, label f (reading, readingAt read' e q))
@@ -146,7 +153,7 @@ sectionOf complex d =
 
 -- | The same by rays alone.
 --
--- /Requires/ a generic direction. /Cost/ O(n²).
+-- /Requires/ a generic direction. /Cost/ O(n log n), and two rays from each corner.
 sectionByRays :: Rays -> Scene -> Direction -> [Interval]
 sectionByRays rays scene d =
   intervals

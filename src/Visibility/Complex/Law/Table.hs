@@ -160,7 +160,7 @@ cornersOnLine =
        in all ((== Collinear) . turn (scenePoints scene) a b) line && not (samePlace scene (CornerId a) (CornerId b))
     collinear _ _ = False
 
--- | /Cost/ O(elementary pairs · n), in machine integers where coordinates are below 2³⁰.
+-- | /Cost/ that of 'hiders' for each elementary pair.
 pairsSee :: Law Complex
 pairsSee =
   lawOf
