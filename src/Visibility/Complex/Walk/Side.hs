@@ -41,26 +41,31 @@ sees complex name = looked . Set.fromList . map Side <$> piecesOf scene name
 
 -- | The measure of the lines of a face, its area in the dual, in the file's units: the integral of its upper boundary
 -- less that of its lower one. A corner's curve adds what its position along the line gains from one end of the
--- stretch to the other.
+-- stretch to the other. So each vertex of the boundary adds the way along its line from the corner of one stretch to
+-- that of the next.
 --
 -- /Degenerate cases/ where the half turn's end cuts the face or a stretch, directions go on turning.
 --
--- /Requires/ a face with a first vertex. /Cost/ one gcd and one square for each end of a stretch.
+-- /Requires/ a face with a first vertex, corners of a vertex on its line. /Cost/ one gcd and one square for each vertex
+-- of the boundary at which the corner changes.
 --
 -- /Source/ Orti, Rivière, Durand, Puech, Using the visibility complex for radiosity computation, propositions 1 and 2.
 faceMeasure :: Complex -> FaceId -> RootSum
-faceMeasure complex f = along (upperChain complex f) - along (lowerChain complex f)
+faceMeasure complex f = mconcat (begun <> along upper <> map negate (along lower) <> ended)
   where
     scene = complexScene complex
     unit = latticeScale (sceneLattice scene)
-    along (Chain early late) = mconcat (concatMap (gained id) early <> concatMap (gained reversed) late)
-    gained turned e =
-      [ position (edgeCorner complex e) (turned (passed (edgeTo complex e)))
-      , negate (position (edgeCorner complex e) (turned (edgeFrom complex e)))
-      ]
+    (upper, lower) = (flattened (upperChain complex f), flattened (lowerChain complex f))
+    flattened (Chain early late) = [(e, id) | e <- early] <> [(e, reversed) | e <- late]
+    along chain = [between later earlier (beginning later) | (earlier, later) <- zip chain (drop 1 chain)]
+    begun = [between u l (beginning u) | (u, l) <- zip (take 1 upper) (take 1 lower)]
+    ended = [between l u (end u) | (u, l) <- zip (lastOf upper) (lastOf lower)]
+    lastOf = take 1 . reverse
+    beginning (e, turned) = turned (edgeFrom complex e)
+    end (e, turned) = turned ((if wrapsAround complex e then reversed else id) (edgeTo complex e))
+    -- From the corner of one stretch to that of another, along the line through both.
+    between (e, _) (e', _) (Direction dx dy)
+      | edgeCorner complex e == edgeCorner complex e' = RootSum.zero
+      | otherwise = RootSum.hypotenuse (signum (x * dx + y * dy) % (unit * w)) x y
       where
-        passed = if wrapsAround complex e then reversed else id
-    position c d = RootSum.hypotenuse ((x * dx + y * dy) % (unit * w * (dx * dx + dy * dy))) dx dy
-      where
-        LatticePoint x y w = cornerAt scene c
-        Direction dx dy = primitive d
+        Way (Vector2 x y) w = cornerAt scene (edgeCorner complex e) `way` cornerAt scene (edgeCorner complex e')
