@@ -6,7 +6,7 @@
 -- /Source/ B. Ottosson, A perceptual color space for image processing, 2020 (OKLab); IEC 61966-2-1 (sRGB).
 module Visibility.Draw.Colour
   ( -- * Shades
-    Shade
+    Shade (..)
   , shadeAt
   , position
   , opposite

@@ -22,6 +22,7 @@ module Visibility.Draw.Drawing
   , textBox
   , textBoxAt
   , textWidth
+  , letterWidth
   , textSize
   , boxesMeet
   , segmentMeetsBox
@@ -73,7 +74,7 @@ densityOf k
 -- | One shape. Its name is that of the thing drawn: @3@ for a polygon, @0.1@ for a corner, @0.1 2.3@ for a line through
 -- two; empty for what belongs to the figure itself.
 data Mark = Mark
-  { markName :: !Text
+  { markName :: Text
   , markStyle :: !Style
   , markShape :: !Shape
   }
@@ -209,14 +210,16 @@ textSize style = case style of
 
 -- | An upper bound for the usual sans serif fonts: the reader's font is not known.
 textWidth :: Style -> Text -> Double
-textWidth style text = textSize style * sum (map letter (Text.unpack text))
-  where
-    letter c
-      | c `elem` ['0' .. '9'] = 0.64
-      | c `elem` " .,:;ijl|'()" = 0.39
-      | c `elem` "mwMW−+=" = 0.99
-      | c `elem` ['A' .. 'Z'] = 0.78
-      | otherwise = 0.64
+textWidth style text = textSize style * sum (map letterWidth (Text.unpack text))
+
+-- | The same of a letter, in sizes of the font.
+letterWidth :: Char -> Double
+letterWidth c
+  | c `elem` ['0' .. '9'] = 0.64
+  | c `elem` " .,:;ijl|'()" = 0.39
+  | c `elem` "mwMW−+=" = 0.99
+  | c `elem` ['A' .. 'Z'] = 0.78
+  | otherwise = 0.64
 
 -- | The box of a text in a style at a place.
 textBoxAt :: Style -> Anchor -> Place -> Text -> Box

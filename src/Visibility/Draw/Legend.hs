@@ -93,8 +93,12 @@ captionLines left base width parts =
       where
         longer = line <> comma <> part
 
--- | A text cut so that it fits a width.
+-- | A text cut so that it fits a width. /Cost/ linear in the text.
 shortened :: Style -> Double -> Text -> Text
 shortened style width text
   | textWidth style text <= width = text
-  | otherwise = until ((<= width) . textWidth style) (\t -> Text.snoc (Text.dropEnd 2 t) '…') text
+  | otherwise = Text.snoc (Text.take (length (takeWhile fits (drop 1 widths))) text) '…'
+  where
+    -- Those of the beginnings of the text, up to the last but one letter.
+    widths = scanl (+) 0 (map letterWidth (Text.unpack (Text.dropEnd 2 text)))
+    fits w = textSize style * (w + letterWidth '…') <= width

@@ -15,15 +15,19 @@ import Data.Function (on)
 import Data.List (sortOn)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
+import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import Numeric (showFFloat)
+import Visibility.Draw.Colour (Shade (..), shades)
 import Visibility.Draw.Figure hiding (Line)
 import Visibility.FormFactor (FactorRow (..))
 import Visibility.Mesh.Element
 import Visibility.Scene
+import Visibility.Sorting (sortedBy)
 
 -- | A matrix whose rows and columns are things in groups: sides by polygons, or elements by sides.
 data Matrix thing = Matrix
@@ -113,7 +117,7 @@ withSky scene groups = groups <> [Group "sky" "sky" [TheSky] | surroundings scen
 -- groups of one whole; so small groups, as the sides of a round object, are not hatched, and what lies beside them is
 -- told apart all the same. A matrix without rows is an empty square.
 --
--- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log m) for m entries, besides labels.
+-- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log n) for m entries of n rows and columns, besides labels.
 --
 -- /Laws/ as many cells as entries, none of which share a point inside both; all cells are squares of one size; a larger
 -- value is not lighter; no line crosses a cell; lines are at least six pixels apart; no label covers anything.
@@ -127,16 +131,18 @@ matrixDrawing matrix =
       , pageCaption = 10 + rowHeight * (captionRows - 1)
       , pageLayers =
           [ Layer "groups" Sparse (map groupLine (lineGaps columns) <> map groupLineAcross (lineGaps rows))
-          , Layer "cells" (densityOf (length cells)) cells
+          , Layer "cells" (densityOf count) cells
           , Layer "frame" Sparse [plain Axis (boxRegion (Box left bottom right top))]
           , Layer "labels" Sparse (labels <> axisTitles)
           , Layer "bar" Sparse barCells
           ]
       }
   where
-    entries = matrixEntries matrix
-    values = [value | (_, _, value) <- entries]
-    scale = fitted Logarithmic values
+    -- A million entries are common, so they are kept as numbers: the places of row and column, and the value.
+    entries = placedEntries matrix
+    count = U.length entries
+    values = let (_, _, found) = U.unzip3 entries in found
+    scale = fitted Logarithmic (U.toList values)
 
     -- How large a cell is, and how wide the gaps between groups.
     room = canvasWidth - leftMargin - 2 * sideMargin - 14
@@ -155,16 +161,18 @@ matrixDrawing matrix =
     bottom = footHeight
     top = bottom + across rows
 
-    cells = map snd (sortOn fst [(shade, cellMark shade at) | (at, shade) <- placed])
-    placed =
-      [ ((row, column, x, y), shadeOf MoreIsDarker scale value)
-      | (row, column, value) <- entries
-      , Just x <- [Map.lookup column (lineStarts columns)]
-      , Just y <- [Map.lookup row (lineStarts rows)]
-      ]
-    cellMark shade (row, column, x, y) =
-      Mark (matrixName matrix row <> " " <> matrixName matrix column) (Cell shade) $
+    cells = map cellMark (U.toList (sortedBy (length shades) shadePart (U.map shaded entries)))
+    shaded (row, column, value) = let Shade k = shadeOf MoreIsDarker scale value in (row, column, k)
+    shadePart (_, _, k) = k
+    cellMark (row, column, k) =
+      Mark (rowNames V.! row <> " " <> columnNames V.! column) (Cell (Shade k)) $
         boxRegion (Box (left + inset + x) (top - inset - y - cell) (left + inset + x + cell) (top - inset - y))
+      where
+        (x, y) = (columnStarts V.! column, rowStarts V.! row)
+    (rowNames, columnNames) = (namesOf (matrixRows matrix), namesOf (matrixColumns matrix))
+    namesOf = V.fromList . map (matrixName matrix) . concatMap groupMembers
+    (rowStarts, columnStarts) = (startsOf rows (matrixRows matrix), startsOf columns (matrixColumns matrix))
+    startsOf line = V.fromList . mapMaybe (`Map.lookup` lineStarts line) . concatMap groupMembers
     groupLine s = plain Reference (Polyline [Place (left + inset + s) bottom, Place (left + inset + s) top])
     groupLineAcross s = plain Reference (Polyline [Place left (top - inset - s), Place right (top - inset - s)])
 
@@ -199,15 +207,28 @@ matrixDrawing matrix =
           <> Text.pack (show (length (matrixRows matrix)))
           <> " "
           <> matrixGroups matrix
-      , counted (length entries) "entry is not 0" "entries are not 0"
-          <> " (" <> percentage (length entries) (total (matrixRows matrix) * total (matrixColumns matrix)) <> ")"
+      , counted count "entry is not 0" "entries are not 0"
+          <> " (" <> percentage count (total (matrixRows matrix) * total (matrixColumns matrix)) <> ")"
       ]
-        <> [ "from " <> least (minimum values) <> " to " <> shortNumber (maximum values)
-           | not (null values)
+        <> [ "from " <> least (U.minimum values) <> " to " <> shortNumber (U.maximum values)
+           | count > 0
            ]
 
     -- What is no 0 and rounds to it.
     least v = if v > 0 then shortNumber v else "less than 5e−324"
+
+-- | The entries, with the numbers of their rows and columns.
+placedEntries :: Ord thing => Matrix thing -> U.Vector (Int, Int, Double)
+placedEntries matrix =
+  U.fromList
+    [ (r, c, value)
+    | (row, column, value) <- matrixEntries matrix
+    , Just r <- [Map.lookup row rows]
+    , Just c <- [Map.lookup column columns]
+    ]
+  where
+    (rows, columns) = (numbered (matrixRows matrix), numbered (matrixColumns matrix))
+    numbered groups = Map.fromList (zip (concatMap groupMembers groups) [0 ..])
 
 -- | Room for labels to the left, room between the frame and the cells.
 leftMargin, inset :: Double

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | Scales of values, for axes and for colours, and the bar that explains the colours.
 module Visibility.Draw.Values
   ( -- * Scales
@@ -14,6 +16,7 @@ module Visibility.Draw.Values
   , colourBar
   ) where
 
+import Data.List (foldl')
 import Data.Text (Text)
 import Visibility.Draw.Colour
 import Visibility.Draw.Drawing
@@ -33,13 +36,19 @@ data Values = Values !Scaling !Double !Double
 -- ends at 1 and a logarithmic one is around 1. A logarithmic scale spans at least a factor of ten, from the greatest
 -- value downwards.
 fitted :: Scaling -> [Double] -> Values
-fitted scaling values = case (scaling, filter (\v -> v > 0 && not (isInfinite v)) values) of
-  (Linear, []) -> Values Linear 0 1
-  (Linear, found) -> Values Linear 0 (maximum found)
-  (Logarithmic, []) -> Values Logarithmic (-0.5) 0.5
-  (Logarithmic, found) ->
-    let (low, high) = (logBase 10 (minimum found), logBase 10 (maximum found))
+fitted scaling values = case (scaling, foldl' spanned Nothing values) of
+  (Linear, Nothing) -> Values Linear 0 1
+  (Linear, Just (_, greatest)) -> Values Linear 0 greatest
+  (Logarithmic, Nothing) -> Values Logarithmic (-0.5) 0.5
+  (Logarithmic, Just (least, greatest)) ->
+    let (low, high) = (logBase 10 least, logBase 10 greatest)
      in Values Logarithmic (min low (high - 1)) high
+  where
+    spanned found v = case found of
+      Just (least, greatest) | counts v -> let { !a = min least v; !b = max greatest v } in Just (a, b)
+      Nothing | counts v -> Just (v, v)
+      _ -> found
+    counts v = v > 0 && not (isInfinite v)
 
 -- | Where a value lies on a scale, from 0 to 1.
 --
