@@ -2,7 +2,8 @@
 -- whatever made the tables.
 --
 -- Most cost O(incidences). Those of the vertices and of measures cost a sweep, and a sum of roots for each face; those
--- of pairs and rays O(n) for each pair or stretch; that of sections O(n²) for each of eight directions.
+-- of pairs and rays O(log n) for each pair or stretch where few sides lie about its way, O(n) at worst, and that of
+-- sections as much for each corner and each of eight directions.
 module Visibility.Complex.Law
   ( Law (..)
   , laws
@@ -24,14 +25,15 @@ import Visibility.Law
 -- | All laws. The first one says that the tables are well formed; the others may be asked of well-formed tables only,
 -- with whatever values.
 laws :: [Law Complex]
-laws = wellFormed : others
+laws = wellFormed : others measured
 
-others :: [Law Complex]
-others =
+-- | All others, given how measures are found.
+others :: (Complex -> Measured) -> [Law Complex]
+others measuring =
   [vertexStretches, cornerLinks, cornerDirections, cornersOnLine, pairsSee, sweptVertices]
     <> localLaws
     <> faceLaws
-    <> measureLaws
+    <> [one {lawViolations = lawViolations one . measuring} | one <- measureLaws]
     <> [raysConfirm, sections]
 
 -- | Each law, now of anything, with what violates it in a complex: first the laws of the complex, then, if they all
@@ -42,8 +44,9 @@ checked complex
   | otherwise = verdicts
   where
     verdicts = case decided complex wellFormed of
-      verdict@(_, []) -> verdict : map (decided complex) others
+      verdict@(_, []) -> verdict : map (decided complex) (others (const measures))
       broken' -> [broken']
+    measures = measured complex
     decided :: a -> Law a -> (Law (), [Violation])
     decided made one = (one {lawViolations = const found}, found)
       where
@@ -54,6 +57,6 @@ checked complex
 --
 -- /Degenerate cases/ a scene under 'Visibility.Exact.Point.UnsafeDouble' is judged by exact signs all the same.
 --
--- /Cost/ O(n) for each stretch, for the rays; see 'laws'.
+-- /Cost/ see 'laws'.
 violations :: Complex -> [Violation]
 violations = concatMap snd . checked
