@@ -50,7 +50,7 @@ canonicalNumbering complex =
     }
   where
     scene = complexScene complex
-    vertexOrder = sortBy (compareVertices scene `on` vertexAt complex) (vertexIds complex)
+    vertexOrder = map fst (sortBy (compareVertices scene `on` snd) [(v, vertexAt complex v) | v <- vertexIds complex])
     vertexRanks = ranks [v | VertexId v <- vertexOrder]
     rank (VertexId v) = vertexRanks U.! v
     fromVertices wanted =

@@ -230,11 +230,9 @@ components count same = sort (map inOrder (go [0 .. count - 1] IntMap.empty))
     reach own ((k, turns) : rest)
       | k `IntMap.member` own = reach own rest
       | otherwise = reach (IntMap.insert k turns own) ([(j, turns + more) | (j, more) <- besides k] <> rest)
-    besides k = Set.toList (IntMap.findWithDefault Set.empty k beside)
+    besides k = Set.toList (Set.fromList (beside V.! k))
     beside =
-      IntMap.fromListWith
-        Set.union
-        [(k, Set.singleton (j, m - n)) | (a, b) <- same, ((k, m), (j, n)) <- [(a, b), (b, a)]]
+      V.accum (flip (:)) (V.replicate count []) [(k, (j, m - n)) | (a, b) <- same, ((k, m), (j, n)) <- [(a, b), (b, a)]]
     inOrder own = let start = minimum own in sortOn swap [(k, turns - start) | (k, turns) <- IntMap.toList own]
 
 -- | The places that are one if their segments end at the same polygons: on opposite flanks of a stretch; and, where a
