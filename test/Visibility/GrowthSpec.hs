@@ -11,13 +11,25 @@ import Data.Foldable (for_)
 import Data.Int (Int64)
 import Data.IORef (newIORef, readIORef)
 import qualified Data.Map.Strict as Map
+import Data.ByteString.Builder (Builder, toLazyByteString)
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Text as Text
 import System.Mem (getAllocationCounter)
 import Test.Hspec
 import Visibility.Complex (complexOf, faceIds)
+import Visibility.Complex.Law (violations)
+import Visibility.Complex.Type (stretchIds)
+import Visibility.Draw.Drawing (Drawing)
+import Visibility.Draw.Dual (dualDrawing)
+import Visibility.Draw.Matrix (factorMatrix, matrixDrawing)
+import Visibility.Draw.Render (renderSvg)
+import Visibility.Draw.Scene (sceneDrawing)
 import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor
+import Visibility.Format.Complex (complexDocument)
+import Visibility.Format.Mesh (meshDocument)
 import Visibility.Mesh
 import Visibility.Radiosity
 import Visibility.Scene
@@ -25,6 +37,7 @@ import Visibility.Scene.Family (Family (Grid, Random), Seed (..), family, size)
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
+import Visibility.View (events)
 
 spec :: Spec
 spec = do
@@ -53,11 +66,63 @@ spec = do
         Just (breakCount (discontinuityMesh s (vertices s)))
       grow "its elements" checked $ \s ->
         Just (length (refinedElements (refined (discontinuityMesh s (vertices s)))))
+  for_ adversaries $ \(name, scenes) ->
+    describe ("bytes allocated, on " <> name) $ do
+      let grow what prepare work = it ("grow in proportion to " <> what) (growth scenes prepare work >>= shouldBeSlow)
+      grow "the stretches that are verified" checked $ \s ->
+        let complex = complexOf s in if null (violations complex) then Just (length (stretchIds complex)) else Nothing
+      grow "the bytes of the complex" checked $ Just . written . complexDocument . complexOf
+      grow "the pairs of the mesh" checked $ \s ->
+        let mesh = discontinuityMesh s (vertices s)
+         in written (meshDocument mesh mesh) `seq` Just (pairsOf s (vertices s))
+      grow "the cells of the matrix" summed $ \(Summed s sums) ->
+        let factors = nearestFactors s sums
+         in drawn (matrixDrawing (factorMatrix s factors)) `seq` Just (sum (map (length . rowFactors) factors))
+      grow "the pairs of the dual figure" checked $ \s ->
+        drawn (dualDrawing s (events s (vertices s))) `seq` Just (pairsOf s (vertices s))
+  describe "bytes allocated, on scenes with a long name" $
+    it "grow in proportion to the name, in a figure that has no room for it" $
+      growth (\n -> named (100 * n) <$> scenesOf Random 2) checked namedFigure
+        >>= shouldBeSlow
   where
+    adversaries = [("a convex room", Just . convexRoom), ("a star", Just . star), ("a fan of needles", Just . fan)]
+    written = fromIntegral . Lazy.length . toLazyByteString :: Builder -> Int
+    drawn = fromIntegral . Lazy.length . renderSvg :: Drawing -> Int
+    namedFigure s = drawn (sceneDrawing s (vertices s)) `seq` (Text.length <$> sceneTitle s)
+    named n raw = raw {rawName = Just (Text.replicate n (Text.pack "x"))}
     pairsOf s = sum . map (length . vertexPairs s)
     scenesOf kind n = alight . (\k -> family kind k (Seed 1)) <$> size n
     inARow n = Just (RawScene Nothing Nothing [rawPolygon (square (fromIntegral (2 * k))) | k <- [1 .. n]])
     square x = [Point x 0, Point (x + 1) 0, Point (x + 1) 1, Point x 1]
+
+-- | A room with so many corners, all of which see each other.
+convexRoom :: Int -> RawScene
+convexRoom n = RawScene Nothing (Just (rawPolygon [Point (whole k) (whole (k * k)) | k <- [0 .. n - 1]])) []
+  where
+    whole = fromIntegral
+
+-- | A polygon with so many points on a circle, and a corner near its middle between any two.
+star :: Int -> RawScene
+star n =
+  RawScene Nothing Nothing $
+    [rawPolygon (concat [[onCircle 10 (k / m), onCircle 3 ((k + 0.5) / m)] | k <- [0 .. m - 1]])]
+  where
+    m = fromIntegral n
+
+-- | So many needles that point to one place.
+fan :: Int -> RawScene
+fan n =
+  RawScene Nothing Nothing $
+    [rawPolygon [onCircle 1 (k / m), onCircle 10 (k / m), onCircle 10 ((k + 0.25) / m)] | k <- [0 .. m - 1]]
+  where
+    m = fromIntegral n
+
+-- | A point near a circle around (0, 0), its radius in millions, by a part of half of it.
+onCircle :: Rational -> Rational -> Point
+onCircle r part = Point (near (r * (1 - t * t) / (1 + t * t))) (near (r * 2 * t / (1 + t * t)))
+  where
+    t = 2 * part - 1
+    near x = fromInteger (round (1000000 * x))
 
 -- | A scene with its measures.
 data Summed = Summed !Scene !Measures

@@ -210,7 +210,7 @@ textSize style = case style of
 
 -- | An upper bound for the usual sans serif fonts: the reader's font is not known.
 textWidth :: Style -> Text -> Double
-textWidth style text = textSize style * sum (map letterWidth (Text.unpack text))
+textWidth style text = textSize style * Text.foldl' (\width c -> width + letterWidth c) 0 text
 
 -- | The same of a letter, in sizes of the font.
 letterWidth :: Char -> Double

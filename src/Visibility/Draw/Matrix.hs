@@ -117,7 +117,8 @@ withSky scene groups = groups <> [Group "sky" "sky" [TheSky] | surroundings scen
 -- groups of one whole; so small groups, as the sides of a round object, are not hatched, and what lies beside them is
 -- told apart all the same. A matrix without rows is an empty square.
 --
--- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log n) for m entries of n rows and columns, besides labels.
+-- /Requires/ all things of entries in the rows and columns. /Cost/ O(m log n) for m entries of n rows and columns,
+-- besides labels; what is kept are three numbers for each entry.
 --
 -- /Laws/ as many cells as entries, none of which share a point inside both; all cells are squares of one size; a larger
 -- value is not lighter; no line crosses a cell; lines are at least six pixels apart; no label covers anything.

@@ -42,7 +42,8 @@ circlePath height r (Place x y) =
   subpath height (Place (x + r) y) (map quarter [(0, -1), (-1, 0), (0, 1), (1, 0)]) <> char7 'Z'
   where
     -- Along the circle, beginning in a direction; then turning by a right angle to the right.
-    quarter (ux, uy) = Arc [(k * ux, k * uy), (r * ux + (r - k) * uy, r * uy - (r - k) * ux), (r * (ux + uy), r * (uy - ux))]
+    quarter (ux, uy) =
+      Arc [(k * ux, k * uy), (r * ux + (r - k) * uy, r * uy - (r - k) * ux), (r * (ux + uy), r * (uy - ux))]
     k = r * 4 * (sqrt 2 - 1) / 3
 
 -- | A square around a place, by half the length of its sides.

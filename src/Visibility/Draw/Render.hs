@@ -10,7 +10,6 @@ import Data.ByteString.Lazy (ByteString)
 import Data.List (groupBy, intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Text.Encoding (encodeUtf8Builder)
 import Numeric (readHex, showFFloat)
 import Visibility.Draw.Drawing
 import Visibility.Draw.Path
@@ -80,7 +79,7 @@ commas = intercalate ","
 
 -- | A text as XML has it, without the characters that XML has no way to write.
 escaped :: Text -> Builder
-escaped = encodeUtf8Builder . Text.concatMap character . Text.filter isPrintable
+escaped = foldMap character . filter isPrintable . Text.unpack
   where
     isPrintable c = c >= ' ' && c /= '\xFFFE' && c /= '\xFFFF'
     character c = case c of
@@ -89,7 +88,7 @@ escaped = encodeUtf8Builder . Text.concatMap character . Text.filter isPrintable
       '&' -> "&amp;"
       '"' -> "&quot;"
       '\'' -> "&#39;"
-      _ -> Text.singleton c
+      _ -> charUtf8 c
 
 -- | Viewers treat a dominant base line differently; texts here stand on their alphabetic base line.
 styleSheet :: Text
