@@ -27,7 +27,7 @@ import Visibility.Draw.Figure hiding (Line)
 import Visibility.FormFactor (FactorRow (..))
 import Visibility.Mesh.Element
 import Visibility.Scene
-import Visibility.Sorting (sortedBy)
+import Visibility.Sorting (bucketOf, bucketsBy)
 
 -- | A matrix whose rows and columns are things in groups: sides by polygons, or elements by sides.
 data Matrix thing = Matrix
@@ -162,11 +162,11 @@ matrixDrawing matrix =
     bottom = footHeight
     top = bottom + across rows
 
-    cells = map cellMark (U.toList (sortedBy (length shades) shadePart (U.map shaded entries)))
-    shaded (row, column, value) = let Shade k = shadeOf MoreIsDarker scale value in (row, column, k)
-    shadePart (_, _, k) = k
-    cellMark (row, column, k) =
-      Mark (rowNames V.! row <> " " <> columnNames V.! column) (Cell (Shade k)) $
+    cells = [cellMark (Shade k) (entries U.! i) | k <- [0 .. length shades - 1], i <- bucketOf byShade k]
+    byShade = bucketsBy (length shades) (U.map shadeNumber values)
+    shadeNumber value = let Shade k = shadeOf MoreIsDarker scale value in fromIntegral k
+    cellMark shade (row, column, _) =
+      Mark (rowNames V.! row <> " " <> columnNames V.! column) (Cell shade) $
         boxRegion (Box (left + inset + x) (top - inset - y - cell) (left + inset + x + cell) (top - inset - y))
       where
         (x, y) = (columnStarts V.! column, rowStarts V.! row)
