@@ -177,9 +177,9 @@ groupTerms combine begin groups g = U.foldl' step begin (U.slice from (to - from
 --
 -- /Cost/ O(groups + bound) when first used, then O(1) for each group.
 rowsOf :: Int -> Groups -> Int -> [(Int, Int)]
-rowsOf bound groups = \r ->
-  [(fst (pair g), g) | g <- bucketOf bySecond r] <> [(snd (pair g), g) | g <- bucketOf byFirst r]
+rowsOf bound groups = \r -> row fst (bucketOf bySecond r) <> row snd (bucketOf byFirst r)
   where
-    pair = groupPair groups
-    byFirst = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . fst . pair))
-    bySecond = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . snd . pair))
+    -- The number is found at once, so that nothing holds all terms for it.
+    row part found = [(other, g) | g <- found, let !other = part (groupPair groups g)]
+    byFirst = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . fst . groupPair groups))
+    bySecond = bucketsBy bound (U.generate (groupCount groups) (fromIntegral . snd . groupPair groups))
