@@ -36,8 +36,7 @@ runDrawView common from file = seeing common from (written file) document
   where
     document scene seen = lazyByteString (renderSvg (viewDrawing scene (figureOf scene seen)))
     figureOf scene seen = case seen of
-      SeenRegion viewpoint sights ->
-        let point = viewpointAt viewpoint in RegionFigure point (region scene point sights)
+      SeenRegion viewpoint sights -> RegionFigure (viewpointAt viewpoint) sights
       SeenByElement viewpoint normal sights ->
         ElementFigure (viewpointAt viewpoint) normal sights (elementFactors scene normal sights)
       SeenBySide side factors -> SideFigure side [(factorTo f, factorValue f) | f <- factors]

@@ -10,6 +10,8 @@ module Visibility.Sight
     -- * The visibility polygon
   , Region (..)
   , region
+  , Bend (..)
+  , bends
   , rayMeets
     -- * Form factors of an element
   , elementFactors
@@ -103,8 +105,8 @@ data Region = Region
   }
   deriving (Eq, Ord, Show)
 
--- | A corner of the boundary, or a way to infinity and back.
-data Mark = Here !Point | Beyond !Direction !Direction
+-- | A corner of the boundary of a region, or a way to infinity in one direction and back in another.
+data Bend = Here !Point | Beyond !Direction !Direction
   deriving (Eq)
 
 -- | The visibility polygon, from all sights of a point.
@@ -120,10 +122,15 @@ data Mark = Here !Point | Beyond !Direction !Direction
 --
 -- /Laws/ the same for sights that are cut in two, and where a side is cut by a flat corner.
 region :: Scene -> Point -> [Sight] -> Region
-region scene eye sights = Region [p | Here p <- marks] [(from, to) | Beyond from to <- marks]
+region scene eye sights = Region [p | Here p <- around] [(from, to) | Beyond from to <- around]
+  where
+    around = bends scene eye sights
+
+-- | The boundary of the visibility polygon, counter-clockwise.
+bends :: Scene -> Point -> [Sight] -> [Bend]
+bends scene eye sights = begun (withoutFlat (withoutRepeats (concat (zipWith afterGap (lastFirst whole) whole))))
   where
     whole = joined sights
-    marks = begun (withoutFlat (withoutRepeats (concat (zipWith afterGap (lastFirst whole) whole))))
     afterGap before s = [Here eye | sightTo before /= sightFrom s] <> limits s
     limits (Sight from to object) = case object of
       Sky -> [Beyond from to]
@@ -139,9 +146,9 @@ region scene eye sights = Region [p | Here p <- marks] [(from, to) | Beyond from
     beginsAt from (Beyond a _) = a == from
     beginsAt _ (Here _) = False
 
--- | Is a mark a point where the boundary goes straight on?
-isFlat :: Mark -> Mark -> Mark -> Bool
-isFlat before mark after = case (before, mark, after) of
+-- | Is a bend a point where the boundary goes straight on?
+isFlat :: Bend -> Bend -> Bend -> Bool
+isFlat before bend after = case (before, bend, after) of
   (_, Beyond _ _, _) -> False
   (Beyond _ _, _, Beyond _ _) -> False
   (Here a, Here p, Here b) -> parallel (to a p) (to p b)

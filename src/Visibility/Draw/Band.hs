@@ -60,74 +60,44 @@ slopesInwards strip = [slope | Inwards slope <- [startCut strip, endCut strip]]
 -- /Requires/ a width of more than 0. /Cost/ O(n log n), times the number of sides that are nearer to one than twice the
 -- width. /Laws/ a strip does not cross into the solid; only what is so near makes a difference.
 stripsOf :: Scene -> (CornerId -> Place) -> Double -> Map.Map SideId Strip
-stripsOf scene placeOf most = Map.fromList [(side, stripOf around side) | side <- sides scene]
+stripsOf scene placeOf most = Map.fromList [(side, strip side) | side <- sides scene]
   where
     places = V.fromList (map placeOf (corners scene))
     place (CornerId c) = places V.! c
-    grid = gridOf (2 * most) [(place (sideStart side), place (sideEnd scene side)) | side <- sides scene]
-    near side = map SideId (nearTo grid (place (sideStart side), place (sideEnd scene side)))
-    nearby = V.fromList (map near (sides scene))
-    rooms = V.fromList (map (roomBeside around) (sides scene))
-    around =
-      Around
-        { theScene = scene
-        , placeIn = place
-        , mostWide = most
-        , nearSides = \(SideId s) -> nearby V.! s
-        , roomOf = \(SideId s) -> rooms V.! s
-        }
-
--- | What the strip of a side depends on.
-data Around = Around
-  { theScene :: !Scene
-  , placeIn :: !(CornerId -> Place)
-  , mostWide :: !Double
-  , nearSides :: !(SideId -> [SideId])
-  -- ^ At least those that are nearer than twice the greatest width.
-  , roomOf :: SideId -> Double
-  -- ^ See 'roomBeside'.
-  }
-
--- | The strip of a side.
-stripOf :: Around -> SideId -> Strip
-stripOf around side =
-  Strip
-    { stripStart = place start
-    , stripAlong = along
-    , stripLong = long
-    , stripWide = wide
-    , startCut = cutAt start (previousCorner scene start)
-    , endCut = cutAt end end
-    }
-  where
-    (scene, place, most) = (theScene around, placeIn around, mostWide around)
-    (start, end) = (sideStart side, sideEnd scene side)
-    (along, long) = heading scene place start end
-    wide = roomOf around side
-    -- By the corner that the neighbour starts at. Where its band is of another width, going on would leave a spike.
-    cutAt corner (CornerId neighbour)
-      | isWallEnd scene corner = Square
-      | angle < pi = Inwards (tan (angle / 2))
-      | angle > pi
-      , angle < 1.6 * pi
-      , roomOf around (SideId neighbour) == wide
-      , all (farFrom corner) (nearSides around side) =
-        Beyond (tan ((angle - pi) / 2))
-      | otherwise = Square
+    ends side = (place (sideStart side), place (sideEnd scene side))
+    grid = gridOf (2 * most) (map ends (sides scene))
+    -- At least those that are nearer than twice the greatest width.
+    nearby = V.fromList [map SideId (nearTo grid (ends side)) | side <- sides scene]
+    near (SideId s) = nearby V.! s
+    rooms = V.fromList [roomBeside scene place most side (near side) | side <- sides scene]
+    roomOf (SideId s) = rooms V.! s
+    strip side = Strip (place start) along long (roomOf side) (cutAt start (previousCorner scene start)) (cutAt end end)
       where
-        (_, angle) = freeCone scene place corner
-        farFrom at@(CornerId c) other =
-          any (samePlace scene at) [p, q]
-            || turn (scenePoints scene) p' q' c == LeftTurn
-            || distance (place at) (place p) (place q) > 2 * most
+        (start, end) = (sideStart side, sideEnd scene side)
+        (along, long) = heading scene place start end
+        -- By the corner that the neighbour starts at. Where its band is of another width, going on would leave a spike.
+        cutAt corner (CornerId neighbour)
+          | isWallEnd scene corner = Square
+          | angle < pi = Inwards (tan (angle / 2))
+          | angle > pi
+          , angle < 1.6 * pi
+          , roomOf (SideId neighbour) == roomOf side
+          , all (farFrom corner) (near side) =
+            Beyond (tan ((angle - pi) / 2))
+          | otherwise = Square
           where
-            (p@(CornerId p'), q@(CornerId q')) = (sideStart other, sideEnd scene other)
+            (_, angle) = freeCone scene place corner
+    farFrom corner@(CornerId c) other =
+      any (samePlace scene corner) [p, q]
+        || turn (scenePoints scene) p' q' c == LeftTurn
+        || uncurry (distance (place corner)) (ends other) > 2 * most
+      where
+        (p@(CornerId p'), q@(CornerId q')) = (sideStart other, sideEnd scene other)
 
--- | The width of a side's strip: at most the greatest, and half of the way to what is in front of it.
-roomBeside :: Around -> SideId -> Double
-roomBeside around side = minimum (mostWide around : map (/ 2) (concatMap inFront (nearSides around side)))
+-- | The width of a side's strip: at most the greatest, and half of the way to what is in front of it, of some sides.
+roomBeside :: Scene -> (CornerId -> Place) -> Double -> SideId -> [SideId] -> Double
+roomBeside scene place most side near = minimum (most : map (/ 2) (concatMap inFront near))
   where
-    (scene, place) = (theScene around, placeIn around)
     (start@(CornerId a), end@(CornerId b)) = (sideStart side, sideEnd scene side)
     Place x0 y0 = place start
     ((ux, uy), long) = heading scene place start end

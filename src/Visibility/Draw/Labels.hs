@@ -16,6 +16,7 @@ module Visibility.Draw.Labels
   ) where
 
 import Data.List (find, minimumBy, sortOn)
+import Data.Maybe (listToMaybe)
 import Data.Ord (Down (..), comparing)
 import Data.Text (Text)
 import Visibility.Draw.Drawing
@@ -65,9 +66,8 @@ placeLabels start requests = go start ordered
                 , lightLines = maybe id ((:) . Line 0.4) leader (lightLines scenery)
                 }
             (labels, leaders, failed) = go scenery' rest
-         in (label : labels, leaderMark request leader <> leaders, failed)
-    leaderMark _ Nothing = []
-    leaderMark request (Just (a, b)) = [Mark (requestName request) Leader (Polyline [a, b])]
+            thin = [Mark (requestName request) Leader (Polyline [a, b]) | Just (a, b) <- [leader]]
+         in (label : labels, thin <> leaders, failed)
 
 -- | A label at a position, its box and its leader.
 data Candidate = Candidate !Mark !Box !(Maybe (Place, Place))
@@ -91,10 +91,8 @@ within r request (Place x y) scenery =
 
 -- | The best position on the innermost ring that has one, with the number of the ring.
 choose :: Obstruction -> Request -> Maybe (Int, Candidate)
-choose _ (Request _ _ _ []) = Nothing
-choose scenery request = case find (not . null . snd) (zip [0 ..] (concatMap ringsTogether [near, far])) of
-  Nothing -> Nothing
-  Just (k, candidates) -> Just (k, snd (minimumBy (comparing fst) candidates))
+choose scenery request =
+  fmap (snd . minimumBy (comparing fst)) <$> find (not . null . snd) (zip [0 ..] (concatMap ringsTogether [near, far]))
   where
     (near, far) = span (<= 10) rings
     -- What is around a seat is looked up once for several rings.
@@ -162,9 +160,8 @@ crosses (p, q) (a, b) = apart p q a b && apart a b p q
 
 -- | The first of some texts that fits inside a polygon and on none of some lines, next to the polygon's middle.
 labelInside :: [Line] -> Text -> Style -> [Text] -> [Place] -> Maybe Mark
-labelInside inTheWay name style texts outline = case [mark | text <- texts, Just mark <- [fitted text]] of
-  mark : _ -> Just mark
-  [] -> Nothing
+labelInside inTheWay name style texts outline =
+  listToMaybe [Mark name style label | text <- texts, (x, y) <- spots, let (label, box) = at text x y, fits box]
   where
     n = fromIntegral (max 1 (length outline))
     (xs, ys) = ([x | Place x _ <- outline], [y | Place _ y <- outline])
@@ -175,15 +172,11 @@ labelInside inTheWay name style texts outline = case [mark | text <- texts, Just
         (\(x, y) -> (x - cx) ^ (2 :: Int) + (y - cy) ^ (2 :: Int))
         ((cx, cy) : [(part i xs, part j ys) | i <- [1 .. 11], j <- [1 .. 11]])
     part i values = minimum values + (maximum values - minimum values) * i / 12
-    fitted text = case filter fits [(label, box) | (x, y) <- spots, let (label, box) = at text x y] of
-      ((label, _) : _) -> Just (Mark name style label)
-      [] -> Nothing
     at text x y =
       let Box _ b _ t = textBoxAt style MiddleAnchor (Place 0 0) text
           base = Place x (y - (b + t) / 2)
-          Box l' b' r' t' = textBoxAt style MiddleAnchor base text
-       in (Label MiddleAnchor base text, Box (l' - 3) (b' - 3) (r' + 3) (t' + 3))
-    fits (_, box@(Box l b r t)) =
+       in (Label MiddleAnchor base text, widened 3 (textBoxAt style MiddleAnchor base text))
+    fits box@(Box l b r t) =
       odd (length (filter (crossesRay ((l + r) / 2) ((b + t) / 2)) edges))
         && not (any (segmentMeetsBox box) edges)
         && not (any (meets box) inTheWay)

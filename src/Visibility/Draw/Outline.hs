@@ -1,16 +1,14 @@
 -- | The boundary of a visibility region, exact; and as places of a figure, where what is unbounded ends at the margin.
 module Visibility.Draw.Outline
   ( inFront
-  , Piece (..)
-  , boundary
-  , isLimit
   , outlinePlaces
-  , limitLines
+  , sightLimits
+  , limitLine
   ) where
 
 import Data.Function (on)
 import Data.List (sortBy)
-import Visibility.Draw.Drawing hiding (Region)
+import Visibility.Draw.Drawing
 import Visibility.Draw.Scale (directionAngle)
 import Visibility.Exact.Point
 import Visibility.Exact.Predicate
@@ -38,84 +36,37 @@ cutAt d sight@(Sight from to object)
     [Sight from d object, Sight d to object]
   | otherwise = [sight]
 
--- | A piece of the boundary of the region that is seen from a point.
-data Piece
-  = -- | Of a side.
-    OnSide !Point !Point
-  | -- | Of a line of sight.
-    OnSight !Point !Point
-  | -- | From a point to infinity in the first direction, back in the second to another point: the sky is between.
-    Beyond !Point !Direction !Direction !Point
-  deriving (Eq, Show)
-
--- | The boundary of a region seen from a point, counter-clockwise.
+-- | The corners of a region seen from a place on the canvas, cut off at the border of a box.
 --
--- /Degenerate cases/ a region without corners, as the whole plane or a half plane: its pieces begin and end at the
--- viewpoint.
---
--- /Laws/ one 'Beyond' for each unbounded interval.
-boundary :: Point -> Region -> [Piece]
-boundary q (Region points unbounded) = case points of
-  [] -> [Beyond q from to q | (from, to) <- unbounded]
-  _ -> pieces neighbours (drop 1 unbounded <> take 1 unbounded)
+-- /Requires/ the place and all corners of the region inside the box.
+outlinePlaces :: Box -> (Point -> Place) -> Place -> [Bend] -> [Place]
+outlinePlaces box place here = concatMap bendPlaces . beginningHere
   where
-    -- Both are in order, and the points begin after the first unbounded interval.
-    pieces ((x, y) : others) (opening@(from, to) : openings)
-      | joins (closeness opening) opening (x, y) = Beyond x from to y : pieces others openings
-    pieces ((x, y) : others) openings
-      | cross (between q x) (between q y) == 0 = OnSight x y : pieces others openings
-      | otherwise = OnSide x y : pieces others openings
-    pieces [] _ = []
-    neighbours = zip points (drop 1 points <> take 1 points)
-    -- Next to a viewpoint that is no corner, since the region ends there in a straight line, it is a line that counts.
-    closeness opening = if any (joins along opening) neighbours then along else through
-    joins lies (from, to) (x, y) = lies q from x && lies q to y
+    bendPlaces (Here x) = [place x]
+    bendPlaces (Beyond from to) = boxArc box here from to
 
--- | Is a point on the ray, or on the line, from the viewpoint?
-along, through :: Point -> Direction -> Point -> Bool
-along q d x = through q d x && dot (vector d) (between q x) >= 0
-through q d x = cross (vector d) (between q x) == 0
-
-between :: Point -> Point -> (Rational, Rational)
-between (Point ax ay) (Point bx by) = (bx - ax, by - ay)
-
-vector :: Direction -> (Rational, Rational)
-vector (Direction x y) = (fromInteger x, fromInteger y)
-
-cross, dot :: (Rational, Rational) -> (Rational, Rational) -> Rational
-cross (ax, ay) (bx, by) = ax * by - ay * bx
-dot (ax, ay) (bx, by) = ax * bx + ay * by
-
--- | The corners of a region on the canvas, cut off at the border of a box.
---
--- /Requires/ the viewpoint and all corners of the region inside the box.
-outlinePlaces :: Box -> (Point -> Place) -> Point -> [Piece] -> [Place]
-outlinePlaces box place q = concatMap piecePlaces
+-- | The lines of sight that bound a region seen from a point, each between two bends that follow each other.
+sightLimits :: Point -> [Bend] -> [(Bend, Bend)]
+sightLimits (Point qx qy) seen = filter isLimit (zip around (drop 1 around <> take 1 around))
   where
-    here = place q
-    piecePlaces (OnSide x _) = [place x]
-    piecePlaces (OnSight x _) = [place x]
-    piecePlaces (Beyond x from to _)
-      | sameDirection from to = boxArc box here from to
-      | otherwise = place x : boxArc box here from to
+    around = beginningHere seen
+    isLimit (Here (Point ax ay), Here (Point bx by)) = (ax - qx) * (by - qy) == (ay - qy) * (bx - qx)
+    isLimit (Beyond _ _, Beyond _ _) = False
+    isLimit _ = True
 
--- | The lines of sight that bound a region, cut off at the border of a box; not those that have no length.
-limitLines :: Box -> (Point -> Place) -> Point -> [Piece] -> [(Place, Place)]
-limitLines box place q = filter (uncurry (/=)) . concatMap lines'
+-- | A line of sight on the canvas, cut off at the border of a box, for a region seen from a place; nothing where it has
+-- no length.
+limitLine :: Box -> (Point -> Place) -> Place -> (Bend, Bend) -> Maybe (Place, Place)
+limitLine box place here (a, b) = if from == to then Nothing else Just (from, to)
   where
-    here = place q
-    lines' (OnSide _ _) = []
-    lines' (OnSight x y) = [(place x, place y)]
-    lines' (Beyond x from to y)
-      | sameDirection from to = []
-      | otherwise = [(place x, exit box here from), (exit box here to, place y)]
+    from = case a of Here x -> place x; Beyond _ back -> exit box here back
+    to = case b of Here x -> place x; Beyond away _ -> exit box here away
 
--- | Does a piece of the boundary lie on lines of sight?
-isLimit :: Piece -> Bool
-isLimit piece = case piece of
-  OnSide _ _ -> False
-  OnSight _ _ -> True
-  Beyond _ from to _ -> not (sameDirection from to)
+-- | The way to infinity that a region's boundary may begin with comes last.
+beginningHere :: [Bend] -> [Bend]
+beginningHere seen = case seen of
+  first@(Beyond _ _) : others -> others <> [first]
+  _ -> seen
 
 -- | The border of a box from where one ray of a place leaves it, counter-clockwise to where another does.
 boxArc :: Box -> Place -> Direction -> Direction -> [Place]

@@ -24,8 +24,8 @@ import Visibility.Sight
 
 -- | What is looked from, with what is seen.
 data ViewFigure
-  = -- | A point, which may be a corner, and its visibility region.
-    RegionFigure !Point !Region
+  = -- | A point, which may be a corner, and the sights all around it.
+    RegionFigure !Point ![Sight]
   | -- | A differential element at a point with a normal, the sights all around the point, and the form factors.
     ElementFigure !Point !Direction ![Sight] ![(Seen, RootSum)]
   | -- | A side and its form factors.
@@ -51,7 +51,7 @@ viewDrawing scene figure =
     scenePlane
       { planeTitle = title
       , planeAbout = title <> ", "
-      , planeFacts = factsOf figure
+      , planeFacts = factsOf scene figure
       , planeEntries = fst (sceneryEntries scene) <> entriesOf scene figure
       , planePoints = viewpointOf figure
       , planeNaming = naming
@@ -79,17 +79,20 @@ viewpointOf figure = case figure of
 
 -- | The boundaries of what is seen from a point, with that point: of an element, of what is in front of it, which is in
 -- two parts where it stands at a corner.
-boundariesOf :: Scene -> ViewFigure -> [(Point, [Piece])]
+boundariesOf :: Scene -> ViewFigure -> [(Point, [Bend])]
 boundariesOf scene figure = case figure of
-  RegionFigure q seen -> [(q, boundary q seen)]
-  ElementFigure q normal sights _ -> [(q, boundary q (region scene q front)) | front <- inFront normal sights]
+  RegionFigure q sights -> [(q, bends scene q sights)]
+  ElementFigure q normal sights _ -> [(q, bends scene q front) | front <- inFront normal sights]
   SideFigure _ _ -> []
 
 -- | The seen region, and the lines of sight that bound it.
 regionMarks :: Scene -> Frame -> ViewFigure -> ([Mark], [Mark])
 regionMarks scene frame figure =
-  ( [plain SeenRegion (Drawing.Region (outlinePlaces box place q pieces)) | (q, pieces) <- boundaries]
-  , [plain SightLimit (Polyline [a, b]) | (q, pieces) <- boundaries, (a, b) <- limitLines box place q pieces]
+  ( [plain SeenRegion (Drawing.Region (outlinePlaces box place (place q) seen)) | (q, seen) <- boundaries]
+  , [ plain SightLimit (Polyline [a, b])
+    | (q, seen) <- boundaries
+    , Just (a, b) <- map (limitLine box place (place q)) (sightLimits q seen)
+    ]
   )
   where
     boundaries = boundariesOf scene figure
@@ -193,12 +196,12 @@ titleOf scene figure = flip titleAfter scene $ case figure of
   where
     named = Text.pack . cornerText
 
-factsOf :: ViewFigure -> [Text]
-factsOf figure = case figure of
-  RegionFigure q (Region points unbounded) ->
+factsOf :: Scene -> ViewFigure -> [Text]
+factsOf scene figure = case figure of
+  RegionFigure q sights ->
     [ "seen from " <> pointText q
-    , "a region of " <> counted (length points) "corner" "corners"
-    , case length unbounded of
+    , "a region of " <> counted (length (regionPoints (region scene q sights))) "corner" "corners"
+    , case length (regionUnbounded (region scene q sights)) of
         0 -> "bounded"
         k -> "open to the sky in " <> counted k "interval" "intervals" <> " of directions"
     ]
@@ -221,7 +224,7 @@ factsOf figure = case figure of
 entriesOf :: Scene -> ViewFigure -> [Entry]
 entriesOf scene figure =
   [Entry (regionSwatch SeenRegion) "seen region" | not (null boundaries)]
-    <> [Entry (lineSwatch [SightLimit]) "limit of sight" | any (any isLimit . snd) boundaries]
+    <> [Entry (lineSwatch [SightLimit]) "limit of sight" | not (all (null . uncurry sightLimits) boundaries)]
     <> case figure of
       RegionFigure _ _ -> [viewpoint]
       ElementFigure {} -> [seenSide | seesSide] <> [viewpoint, Entry arrowSwatch "normal"]

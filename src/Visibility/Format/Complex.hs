@@ -31,12 +31,44 @@ import Visibility.View (End (..), Flank (..), View (..))
 complexDocument :: Complex -> Builder
 complexDocument complex =
   complexOf complex $
-    pair "vertices" (list (vertexEntry complex) (orderedVertices numbering))
-      <> pair "edges" (list (edgeEntry complex numbering) (orderedEdges numbering))
-      <> pair "faces" (list (faceEntry complex numbering) (orderedFaces numbering))
-      <> pair "buried" (list (buriedEntry complex numbering) (orderedBuried numbering))
+    pair "vertices" (list vertexEntry (orderedVertices numbering))
+      <> pair "edges" (list edgeEntry (orderedEdges numbering))
+      <> pair "faces" (list faceEntry (orderedFaces numbering))
+      <> pair "buried" (list (\e -> pairs (ends e <> flanks e)) (orderedBuried numbering))
   where
     numbering = canonicalNumbering complex
+    scene = complexScene complex
+    corner = string . nameOf scene
+    object = string . objectText scene
+    number = int . vertexNumber numbering
+    vertexEntry v =
+      pairs $
+        pair "corners" (list corner (vertexCorners (vertexAt complex v)))
+          <> pair "kinds" (list (string . kindText) (vertexKinds complex v))
+          <> segment complex v object corner
+    edgeEntry e = pairs (ends e <> pair "back" back <> pair "front" front <> pair "kind" (string kind) <> flanks e)
+      where
+        here = corner (edgeCorner complex e)
+        (back, front, kind) = case edgeView complex e of
+          Tangent _ b f -> (object b, object f, "tangent")
+          Ending Front b -> (object b, here, "ending")
+          Ending Back f -> (here, object f, "ending")
+          Buried _ -> broken "an edge is not buried" (show e)
+    ends e =
+      pair "corner" (corner (edgeCorner complex e))
+        <> pair "from" (number (edgeFirst complex e))
+        <> pair "to" (number (edgeLast complex e))
+    flanks e = pair "above" (faces e Above) <> pair "below" (faces e Below)
+    faces e flank = list (int . faceNumber numbering) (edgeFacesOn complex e flank)
+    faceEntry f =
+      pairs $
+        pair "back" (object (faceBack complex f))
+          <> pair "front" (object (faceFront complex f))
+          <> pair "first" (maybe null_ number (faceFirst complex f))
+          <> pair "last" (maybe null_ number (faceLast complex f))
+          <> pair "upper" (chain (upperChain complex f))
+          <> pair "lower" (chain (lowerChain complex f))
+    chain (Chain before after) = list (int . edgeNumber numbering) (filter (isEdge complex) (before <> after))
 
 -- | A document on a complex, which begins with the corners of the scene.
 complexOf :: Complex -> Series -> Builder
@@ -100,15 +132,6 @@ polygonDocument made = complexOf complex $ case outlines made of
 nameOf :: Scene -> CornerId -> String
 nameOf scene = cornerText . cornerName scene
 
-vertexEntry :: Complex -> VertexId -> Encoding
-vertexEntry complex v =
-  pairs $
-    pair "corners" (list (string . nameOf scene) (vertexCorners (vertexAt complex v)))
-      <> pair "kinds" (list (string . kindText) (vertexKinds complex v))
-      <> segment complex v (string . objectText scene) (string . nameOf scene)
-  where
-    scene = complexScene complex
-
 -- | The direction of a vertex and the ends of its segment: an object, or the corner where it ends.
 segment :: Complex -> VertexId -> (Object -> Encoding) -> (CornerId -> Encoding) -> Series
 segment complex v object corner =
@@ -125,48 +148,3 @@ kindText kind = case kind of
   TangentAt _ -> "tangent"
   EndingAt _ -> "ending"
   AlongSide -> "side"
-
-edgeEntry :: Complex -> Numbering -> EdgeId -> Encoding
-edgeEntry complex numbering e =
-  pairs $
-    ends complex numbering e
-      <> pair "back" (string back)
-      <> pair "front" (string front)
-      <> pair "kind" (string kind)
-      <> flanks complex numbering e
-  where
-    scene = complexScene complex
-    here = nameOf scene (edgeCorner complex e)
-    (back, front, kind) = case edgeView complex e of
-      Tangent _ b f -> (objectText scene b, objectText scene f, "tangent")
-      Ending Front b -> (objectText scene b, here, "ending")
-      Ending Back f -> (here, objectText scene f, "ending")
-      Buried _ -> broken "an edge is not buried" (show e)
-
-buriedEntry :: Complex -> Numbering -> EdgeId -> Encoding
-buriedEntry complex numbering e = pairs (ends complex numbering e <> flanks complex numbering e)
-
-ends :: Complex -> Numbering -> EdgeId -> Series
-ends complex numbering e =
-  pair "corner" (string (nameOf (complexScene complex) (edgeCorner complex e)))
-    <> pair "from" (int (vertexNumber numbering (edgeFirst complex e)))
-    <> pair "to" (int (vertexNumber numbering (edgeLast complex e)))
-
-flanks :: Complex -> Numbering -> EdgeId -> Series
-flanks complex numbering e = pair "above" (faces Above) <> pair "below" (faces Below)
-  where
-    faces flank = list (int . faceNumber numbering) (edgeFacesOn complex e flank)
-
-faceEntry :: Complex -> Numbering -> FaceId -> Encoding
-faceEntry complex numbering f =
-  pairs $
-    pair "back" (string (objectText scene (faceBack complex f)))
-      <> pair "front" (string (objectText scene (faceFront complex f)))
-      <> pair "first" (vertex (faceFirst complex f))
-      <> pair "last" (vertex (faceLast complex f))
-      <> pair "upper" (chain (upperChain complex f))
-      <> pair "lower" (chain (lowerChain complex f))
-  where
-    scene = complexScene complex
-    vertex = maybe null_ (int . vertexNumber numbering)
-    chain (Chain before after) = list (int . edgeNumber numbering) (filter (isEdge complex) (before <> after))

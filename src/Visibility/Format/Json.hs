@@ -72,7 +72,7 @@ shapeAt wanted forms path document = case value document of
   List _ -> rawPolygon <$> listOf wanted cornerAt path document
   Object members ->
     let member = memberOf path members
-        given = [(key, made <$> listOf WantedCorners cornerAt at corners) | (key, made) <- toList forms, Just (at, corners) <- [member key]]
+        given = [(key, made <$> cornersAt at found) | (key, made) <- toList forms, Just (at, found) <- [member key]]
      in checkedKeys path (["name"] <> map fst (toList forms) <> ["emission", "reflectivity", "sides"]) members
           *> ( described
                 <$> traverse (uncurry stringAt) (member "name")
@@ -87,6 +87,8 @@ shapeAt wanted forms path document = case value document of
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
   other -> wrongKind path other wanted
+  where
+    cornersAt = listOf WantedCorners cornerAt
 
 cornerAt :: JsonPath -> Document -> Checked Point
 cornerAt path document = case value document of

@@ -38,12 +38,10 @@ readWkt file bytes = outcome file $ case invalidByte bytes of
   Just place -> fault (SyntaxError place InvalidUtf8)
   Nothing -> RawScene Nothing Nothing <$> geometries (zip [1 ..] (map line (Chars.lines bytes)))
   where
-    line = Line . Text.dropWhileEnd isBlank . decoded
+    line = Text.dropWhileEnd isBlank . decoded
 
--- | A line without blanks at its end.
-newtype Line = Line Text
-
-geometries :: [(Int, Line)] -> Checked [RawPolygon]
+-- | The polygons of lines without blanks at their ends, by their numbers.
+geometries :: [(Int, Text)] -> Checked [RawPolygon]
 geometries numbered = case numbered of
   [] -> Good []
   (n, line) : rest
@@ -54,22 +52,19 @@ geometries numbered = case numbered of
             *> geometries (if isNothing place then dropWhile (goesOn . snd) rest else rest)
         Right found -> (<>) <$> found n <*> geometries rest
   where
-    at n (Line text) = TextPosition n . maybe (Text.length text + 1) tokenColumn
-    isPassedOver line = case tokens line of
-      [] -> True
-      Token _ word : _ -> "#" `Text.isPrefixOf` word
+    at n text = TextPosition n . maybe (Text.length text + 1) tokenColumn
+    isPassedOver = all (Text.isPrefixOf "#") . beginning
     -- All geometry begins with a letter.
-    goesOn line = case tokens line of
-      [] -> True
-      Token _ word : _ -> not (Text.any isAlpha (Text.take 1 word))
+    goesOn = not . any (Text.any isAlpha . Text.take 1) . beginning
+    beginning = map tokenText . take 1 . tokens
 
 -- Words -----------------------------------------------------------------------------------------------------------
 
 -- | A bracket, a comma, or a word of other characters; with the column that it begins in.
 data Token = Token {tokenColumn :: !Int, tokenText :: !Text}
 
-tokens :: Line -> [Token]
-tokens (Line line) = go 1 line
+tokens :: Text -> [Token]
+tokens = go 1
   where
     go column text = case Text.uncons text of
       Nothing -> []
@@ -93,9 +88,6 @@ type Step a = [Token] -> Either Stop (a, [Token])
 
 -- | What stands between brackets, nothing if it is EMPTY; with the column of the bracket or of the word.
 data Group a = Group !Int ![a]
-
--- | The spellings of x and y.
-data Position = Position !Token !Token
 
 stop :: Expected -> [Token] -> Either Stop a
 stop expected rest = Left (Stop (case rest of token : _ -> Just token; [] -> Nothing) expected)
@@ -132,11 +124,12 @@ group item input = case input of
         Token _ ")" : more -> Right (Group column (reverse (found : done)), more)
         _ -> stop CommaOrClosing after
 
-position :: Step Position
+-- | The spellings of x and y.
+position :: Step (Token, Token)
 position input = do
   (x, afterX) <- spelled input
   (y, afterY) <- spelled afterX
-  Right (Position x y, beyond 2 afterY)
+  Right ((x, y), beyond 2 afterY)
   where
     spelled (token : rest) | isWord token = Right (token, rest)
     spelled rest = stop ACoordinate rest
@@ -149,23 +142,23 @@ position input = do
 -- Meaning ---------------------------------------------------------------------------------------------------------
 
 -- In the line with the number.
-polygons :: Int -> Group (Group Position) -> Checked [RawPolygon]
+polygons :: Int -> Group (Group (Token, Token)) -> Checked [RawPolygon]
 polygons n (Group _ rings) = case rings of
   [] -> Good []
   outer : holes -> (: []) <$> (outline ringPolygon n outer <* traverse_ hole holes)
   where
     hole (Group column _) = fault (SyntaxError (TextPosition n column) (BadGeometry Hole))
 
-walls :: Int -> Group Position -> Checked [RawPolygon]
+walls :: Int -> Group (Token, Token) -> Checked [RawPolygon]
 walls n line = case line of
   Group _ [] -> Good []
   _ -> (: []) <$> outline lineWall n line
 
-outline :: ([Point] -> Either OutlineFault RawPolygon) -> Int -> Group Position -> Checked RawPolygon
-outline made n (Group column positions) =
-  eachOf (const point) positions `andThen` (either (fault . SyntaxError (TextPosition n column) . BadGeometry) Good . made)
+outline :: ([Point] -> Either OutlineFault RawPolygon) -> Int -> Group (Token, Token) -> Checked RawPolygon
+outline made n (Group column positions) = eachOf (const point) positions `andThen` (either wrong Good . made)
   where
-    point (Position x y) = Point <$> number x <*> number y
+    wrong = fault . SyntaxError (TextPosition n column) . BadGeometry
+    point (x, y) = Point <$> number x <*> number y
     number (Token k word) = either (fault . SyntaxError (TextPosition n k) . BadWord word) Good (readWktNumber word)
 
 -- WKT, unlike JSON, allows a plus sign, and a point without digits on one side.

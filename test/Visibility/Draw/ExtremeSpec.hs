@@ -59,7 +59,7 @@ figures scene =
   , ("side", viewDrawing scene (SideFigure side [(factorTo f, factorValue f) | f <- factors, factorFrom f == side]))
   ]
     <> concat
-      [ [ ("region", viewDrawing scene (RegionFigure q (region scene q sights)))
+      [ [ ("region", viewDrawing scene (RegionFigure q sights))
         , ("element", viewDrawing scene (ElementFigure q normal sights (elementFactors scene normal sights)))
         ]
       | (c, sights) <- take 1 (cornerSights scene)

@@ -1,6 +1,5 @@
 module Visibility.Draw.OutlineSpec (spec) where
 
-import Data.List (sort)
 import Test.Hspec
 import Test.QuickCheck hiding (sample)
 import Visibility.Draw.Drawing hiding (Region)
@@ -33,15 +32,16 @@ spec = do
                 [ counterexample (show front) (and [turnsLeft normal from /= Behind | Sight from _ _ <- front])
                 , elementFactors scene normal front === elementFactors scene normal sights
                 ]
-  describe "boundary" $
-    it "has a piece for each point, and one for each unbounded part" $
+  describe "sightLimits" $
+    it "are all on lines through the viewpoint, two at each unbounded part" $
       property $ \(AnyScene s) ->
         forAllViewpoints (sampleScene s) $ \q sights ->
-          let seen = region (sampleScene s) q sights
-              pieces = boundary q seen
+          let found = sightLimits q (bends (sampleScene s) q sights)
+              unbounded = [part | part@(from, to) <- regionUnbounded (region (sampleScene s) q sights), from /= to]
            in conjoin
-                [ sort [(from, to) | Beyond _ from to _ <- pieces] === sort (regionUnbounded seen)
-                , null (regionPoints seen) .||. map start pieces === regionPoints seen
+                [ length [() | (Here _, Beyond _ _) <- found] === length unbounded
+                , length [() | (Beyond _ _, Here _) <- found] === length unbounded
+                , [(a, b) | (Here a, Here b) <- found, slope q a /= slope q b, q `notElem` [a, b]] === []
                 ]
   describe "outlinePlaces" $ do
     it "holds exactly the places that are seen" $
@@ -51,10 +51,7 @@ spec = do
       property $ \(AnyScene s) (Normal normal) ->
         forAllViewpoints (sampleScene s) $ \q sights -> holdsWhatIsSeen (sampleScene s) q (inFront normal sights)
   where
-    start piece = case piece of
-      OnSide x _ -> x
-      OnSight x _ -> x
-      Beyond x _ _ _ -> x
+    slope (Point qx qy) (Point x y) = if x == qx then Nothing else Just ((y - qy) / (x - qx))
 
 holdsWhatIsSeen :: Scene -> Point -> [[Sight]] -> Property
 holdsWhatIsSeen scene q parts =
@@ -68,7 +65,7 @@ holdsWhatIsSeen scene q parts =
     place (Point x y) = let Point mx my = middle in Place (part (x - mx)) (part (y - my))
       where
         part v = fromRational (v / reach)
-    outlines = [outlinePlaces (Box (-1) (-1) 1 1) place q (boundary q (region scene q sights)) | sights <- parts]
+    outlines = [outlinePlaces (Box (-1) (-1) 1 1) place (place q) (bends scene q sights) | sights <- parts]
 
 -- | A normal.
 newtype Normal = Normal Direction

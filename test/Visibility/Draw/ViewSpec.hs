@@ -50,7 +50,7 @@ spec = do
               c : _ -> cornerPoint scene c
               [] -> Point 0 0
             away = Point (x + 1000 * fromInteger i) (y - 7 / 3)
-            drawing = viewDrawing scene (RegionFigure away (Region [] [(Direction 1 0, Direction 1 0)]))
+            drawing = viewDrawing scene (RegionFigure away [Sight (Direction 1 0) (Direction 1 0) Sky])
          in (length (marksIn "viewpoint" drawing), labelCollisions drawing, strayMarks drawing) === (1, [], [])
     it "shows the same at the same place wherever the file has it" $
       property $ \(AnyScene s) ->
@@ -76,7 +76,7 @@ spec = do
 figures :: Scene -> [(String, ViewFigure)]
 figures scene =
   concat
-    [ [ ("region", RegionFigure q (region scene q sights))
+    [ [ ("region", RegionFigure q sights)
       , ("element", ElementFigure q (Direction 1 (-2)) sights (elementFactors scene (Direction 1 (-2)) sights))
       , ("side", let side = sideName scene (sides scene !! (k `div` 2)) in SideFigure side (factorsFrom scene side))
       ]
@@ -97,7 +97,7 @@ forAllFigures check =
             forAll (arbitrary `suchThat` (/= (0, 0))) $ \(x, y) ->
               let normal = Direction x y
                in conjoin
-                    [ check scene (RegionFigure q (region scene q sights))
+                    [ check scene (RegionFigure q sights)
                     , check scene (ElementFigure q normal sights (elementFactors scene normal sights))
                     , counterexample (sideText side) $
                         check scene (SideFigure side (factorsFrom scene side))
