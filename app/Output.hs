@@ -19,6 +19,7 @@ module Output
 import Control.Exception
 import Control.Monad (void, (>=>))
 import Data.ByteString.Builder (Builder, stringUtf8, toLazyByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
 import Data.Char (isPrint, ord)
@@ -27,6 +28,7 @@ import Data.Word (Word64)
 import Foreign.C (CInt (..), CSize (..), CString, throwErrnoIfMinus1, throwErrnoIfMinus1_)
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding, utf8)
 import Numeric (showHex)
+import Progress (counting)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hFlush, hSetEncoding, stderr, stdout)
 import System.IO.Error (ioeGetHandle, tryIOError)
@@ -125,7 +127,10 @@ written (Just path) document = do
     throwErrnoIfMinus1_ "" (end file)
 
 computed :: Builder -> IO Lazy.ByteString
-computed document = let bytes = toLazyByteString document in bytes <$ evaluate (Lazy.length bytes)
+computed document = do
+  let bytes = toLazyByteString document
+  chunks <- counting "bytes made" Bytes.length (Lazy.toChunks bytes)
+  bytes <$ mapM_ evaluate chunks
 
 put :: CInt -> Lazy.ByteString -> IO ()
 put file = mapM_ chunk . Lazy.toChunks

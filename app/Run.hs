@@ -6,6 +6,8 @@ module Run
   , sweeping
   , sweepingPieces
   , measuring
+  , refuse
+  , warn
   , module Output
   ) where
 
@@ -13,9 +15,11 @@ import Control.Exception (SomeException, displayException, handleJust)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (toList)
+import Data.List (group, sort)
+import qualified Data.Text as Text
 import Options (Common (..))
 import Output
-import Progress (withProgress)
+import Progress
 import System.IO (stderr)
 import System.IO.Error (tryIOError)
 import Visibility.Error
@@ -23,6 +27,7 @@ import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.FormFactor (Measures, measuresInPieces)
 import Visibility.Format.File (fileLabel, readSceneBytes, sceneFileBytes)
 import Visibility.Scene (Scene, underArithmetic)
+import Visibility.Scene.Raw (RawScene (..), RawPolygon (..))
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep (Piece, Vertex, pieceLength, piecesBy, verticesBy)
 
@@ -32,10 +37,14 @@ import Visibility.Sweep (Piece, Vertex, pieceLength, piecesBy, verticesBy)
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
   mapM_ allowMemory (memoryChoice common)
+  watching (talk common)
+  stage "reading the scene"
   bytes <- sceneFileBytes file >>= either failed pure
   raw <- either failed pure (readSceneBytes label bytes)
   handleJust broken (dump common bytes) $ do
     scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
+    warn common [label <> ": " <> twins | Just twins <- [twinNames raw]]
+    stage "working"
     work (underArithmetic (arithmeticChoice common) scene)
   where
     file = sceneFile common
@@ -55,16 +64,41 @@ dump common bytes exception = do
   where
     unsafe = arithmeticChoice common == UnsafeDouble
 
--- | Works on the vertices of a scene while they are swept by the scheduler asked for, showing progress.
+-- Names that several polygons have, if there are any: they name none of them.
+twinNames :: RawScene -> Maybe String
+twinNames raw = case [twins | twins@(_ : _ : _) <- group (sort names)] of
+  [] -> Nothing
+  twins@(one : _) ->
+    Just
+      ( show (length one)
+          <> " polygons are named "
+          <> concatMap Text.unpack (take 1 one)
+          <> concat [", and " <> show (length twins - 1) <> " more names are not of one polygon alone" | length twins > 1]
+          <> "; such a name addresses none of them, a number does"
+      )
+  where
+    names = [name | polygon <- rawPolygons raw <> toList (rawEnclosure raw), Just name <- [rawPolygonName polygon]]
+
+-- | Works on the vertices of a scene while they are swept by the scheduler asked for, counting them.
 sweeping :: Common -> Scene -> ([Vertex] -> IO a) -> IO a
-sweeping common scene = withProgress "vertices swept" (const 1) (verticesBy (schedulerChoice common) scene)
+sweeping common scene act = counting "vertices swept" (const 1) (verticesBy (schedulerChoice common) scene) >>= act
 
 -- | Works on what is made of each piece of the sweep, likewise.
 sweepingPieces :: Common -> Scene -> (Piece -> a) -> ([a] -> IO b) -> IO b
 sweepingPieces common scene make act =
-  withProgress "vertices swept" fst (map made (piecesBy (schedulerChoice common) scene)) (act . map snd)
+  counting "vertices swept" fst (map made (piecesBy (schedulerChoice common) scene)) >>= act . map snd
   where
     made piece = let item = make piece in item `seq` (pieceLength piece, item)
+
+-- | Ends the program where the scene is not one for what was asked of it.
+refuse :: String -> IO a
+refuse problem = complain [problem] >> ends WrongUsage
+
+-- | Writes messages of what is no error, where they are wanted.
+warn :: Common -> [String] -> IO ()
+warn common messages = case talk common of
+  Talkative | not (null messages) -> complain messages >> watching Talkative
+  _ -> pure ()
 
 -- | The measures of the lines between what sees each other, from a sweep that shows its progress.
 measuring :: Common -> Scene -> IO Measures

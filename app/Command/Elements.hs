@@ -7,8 +7,10 @@ module Command.Elements
   , solved
   ) where
 
+import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Options
+import Progress (stage)
 import Run (complain, ends, measuring, printed, sweeping, withScene)
 import Visibility.Error (Outcome (..))
 import qualified Visibility.Exact.RootSum as RootSum
@@ -42,34 +44,35 @@ meshed common options scene work = case meshBreaks options of
 runRadiosity :: Common -> RadiosityOptions -> IO ()
 runRadiosity common options = withScene common $ \scene ->
   divided common (radiosityElements options) scene $ \cut ->
-    solved common (radiosityCloseness options) cut (printed . radiosityDocument)
+    solved common ["--digits for exact form factors"] (radiosityCloseness options) cut (printed . radiosityDocument)
 
--- | Works on the radiosities of elements; or ends the program where bounds cannot be as close as asked.
-solved :: Common -> Closeness -> Refined -> (Radiosity -> IO ()) -> IO ()
-solved common closeness cut work = do
+-- | Works on the radiosities of elements; or ends the program where bounds cannot be as close as asked. Given is what
+-- the command may be told besides a tolerance.
+solved :: Common -> [String] -> Closeness -> Refined -> (Radiosity -> IO ()) -> IO ()
+solved common ways closeness cut work = do
   sums <- measuring common (refinedScene cut)
+  stage "solving for radiosities"
   case radiosityOfElements closeness cut sums of
     Right found -> work found
     Left shortfall -> do
-      complain [sceneFile common <> ": " <> shortfallText closeness shortfall]
+      complain [sceneFile common <> ": " <> shortfallText ways closeness shortfall]
       ends WrongUsage
 
 -- | What was asked for, what can be had, and what to ask for.
-shortfallText :: Closeness -> Shortfall -> String
-shortfallText closeness (Shortfall spread passes) = case (closeness, spread) of
+shortfallText :: [String] -> Closeness -> Shortfall -> String
+shortfallText ways closeness (Shortfall spread passes) = case (closeness, spread) of
   (WithinTolerance x, Just proved) ->
     "bounds cannot be proved to be within "
       <> short (toleranceValue x)
       <> " with Doubles, but within "
       <> upper (proved * 10 / 9)
       <> afterwards
-      <> "; give --tolerance "
-      <> upper (proved * 10 / 9)
-      <> " or more, or --digits for exact form factors"
+      <> given (["--tolerance " <> upper (proved * 10 / 9) <> " or more" | proved < 4 / 5] <> ways)
   (ToDigits _, Just proved) ->
-    "bounds came within " <> upper proved <> afterwards <> ", no closer; give fewer --digits, or lower reflectivities"
+    "bounds came within " <> upper proved <> afterwards <> ", no closer" <> given ["fewer --digits" | proved < 1 / 100]
   (_, Nothing) -> "no bounds can be proved" <> afterwards <> ": a reflectivity is too near to 1; give lower ones"
   where
+    given advice = "; give " <> intercalate ", or " (advice <> ["lower reflectivities"])
     afterwards = " after " <> show passes <> " passes over the form factors"
     short = decimal two . RootSum.rational
     upper q = snd (outwardDecimals two (q, q))

@@ -13,7 +13,7 @@ import Control.Monad (unless)
 import Data.ByteString.Builder (string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
 import Options
-import Progress (withProgress)
+import Progress
 import Run (allowMemory, ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
 import Visibility.Complex (build)
@@ -68,7 +68,7 @@ runFactors common options = withScene common $ \file -> divided common (factorEl
       watched (nearestFactors scene sums) $ printed . nearestDocument (factorFormat options) names scene
   where
     watched :: [FactorRow a] -> ([FactorRow a] -> IO ()) -> IO ()
-    watched = withProgress "form factors written" (length . rowFactors)
+    watched rows act = counting "form factors made" (length . rowFactors) rows >>= act
 
 -- | The whole complex.
 runComplex :: Common -> Objects -> IO ()
@@ -83,7 +83,7 @@ runComplex common objects = withScene common $ \scene ->
 runVerify :: Common -> IO ()
 runVerify common = withScene common $ \scene ->
   sweeping common scene $ \swept -> do
-    let verdicts = checked (build scene swept)
+    verdicts <- counting "laws decided" (const 1) (checked (build scene swept))
     printed (stringUtf8 (verdictText verdicts))
     unless (all (null . snd) verdicts) $ ends DifferenceFound
 
@@ -91,4 +91,5 @@ runVerify common = withScene common $ \scene ->
 runGenerate :: GenerateOptions -> IO ()
 runGenerate options = do
   mapM_ allowMemory (generatedMemory options)
+  watching (generatedTalk options)
   printed (sceneDocument (family (generatedFamily options) (generatedSize options) (generatedSeed options)))

@@ -4,15 +4,17 @@ module Command.View
   , runDrawView
   ) where
 
+import Command.Address (cornerNamed, sideNamed)
 import Data.ByteString.Builder (Builder, lazyByteString)
+import Data.List (intercalate)
 import Options
-import Run (complain, ends, printed, sweeping, withScene, written)
+import Run (printed, refuse, sweeping, withScene, written)
 import Visibility.Complex (build)
+import Visibility.Complex.Locate (boundariesAt)
 import Visibility.Complex.Walk
 import Visibility.Complex.Walk.Side
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.View (ViewFigure (..), viewDrawing)
-import Visibility.Error (Outcome (..))
 import Visibility.Exact.Predicate (Direction)
 import Visibility.Format.View (elementDocument, regionDocument, sideDocument)
 import Visibility.FormFactor (FormFactor (..))
@@ -51,24 +53,22 @@ data Sighting
 seeing :: Common -> From -> (Builder -> IO ()) -> (Scene -> Sighting -> Builder) -> IO ()
 seeing common from write document = withScene common $ \scene ->
   either refuse (\look -> sweeping common scene (either refuse (write . document scene) . look)) (looking scene from)
-  where
-    refuse problem = complain [problem] >> ends WrongUsage
 
 -- | What is seen from somewhere, once the scene is swept.
 looking :: Scene -> From -> Either String ([Vertex] -> Either String Sighting)
 looking scene from = case from of
   FromPoint point normal -> Right (around (AtPoint point) normal)
-  FromCorner name normal ->
-    maybe (missing "corner" (cornerText name)) (Right . (`around` normal) . AtCorner name) (statedPoint scene name)
-  FromSide name -> maybe (missing "side" (sideText name)) (const (Right (along name))) (piecesOf scene name)
+  FromCorner named normal -> (`around` normal) . uncurry AtCorner <$> cornerNamed scene "--corner" named
+  FromSide named -> along <$> sideNamed scene "--side" named
   where
-    missing what name =
-      Left ("--" <> what <> " " <> name <> ": the scene has no such " <> what <> "; give one such as " <> anyName)
-    anyName = concatMap (cornerText . fst) (take 1 (statedCorners scene))
     along side swept = Right (SeenBySide side (concat (sees (build scene swept) side)))
     around viewpoint normal swept = case lookAround (build scene swept) viewpoint of
-      Left solid -> Left (inSolid solid)
+      Left solid -> Left ("--from: " <> inSolid (boundariesAt scene (viewpointAt viewpoint)) solid)
       Right look -> Right (maybe (SeenRegion viewpoint) (SeenByElement viewpoint) normal (lookSights look))
-    inSolid Enclosure = "--from: the point lies outside the enclosure; give one inside it"
-    inSolid polygon =
-      "--from: the point lies inside polygon " <> polygonText polygon <> "; give one in free space or on a boundary"
+    inSolid touching solid = case (touching, solid) of
+      ([], Enclosure) -> "the point lies outside the enclosure; give one inside it"
+      ([], polygon) ->
+        "the point lies inside polygon " <> polygonText polygon <> "; give one in free space or on a boundary"
+      _ -> "polygons meet in the point and leave no free space around it: " <> listed <> "; give one in free space"
+      where
+        listed = intercalate ", " (map polygonText touching)

@@ -1,7 +1,8 @@
--- | The options that commands on a scene share, and those of the graph.
+-- | The options that commands share, and those of the graph.
 module Options.Common
   ( Common (..)
   , commonOptions
+  , talkOption
   , memoryOption
     -- * The graph
   , GraphOptions (..)
@@ -13,6 +14,7 @@ import Data.Char (isDigit)
 import Data.Word (Word64)
 import Options.Applicative
 import Options.Reader
+import Progress (Talk (..))
 import Text.Read (readMaybe)
 import Visibility.Exact.Point (Arithmetic (..))
 import Visibility.Format.Graph (PairSelection (..))
@@ -23,6 +25,7 @@ data Common = Common
   { sceneFile :: !FilePath
   , arithmeticChoice :: !Arithmetic
   , schedulerChoice :: !Scheduler
+  , talk :: !Talk
   , memoryChoice :: !(Maybe Word64)
   }
 
@@ -35,40 +38,41 @@ data GraphOptions = GraphOptions
 data LineOrder = ByName | AsSwept
 
 commonOptions :: Parser Common
-commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> memoryOption
+commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> talkOption <*> memoryOption
   where
-    scene = argument str (metavar "SCENE" <> help sources)
-    sources = "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
+    scene =
+      argument str $
+        metavar (readingShape inputFile) <> completer (readingCompleter inputFile) <> help
+          "A scene file: JSON, or as its ending says, .geojson or .wkt; - for JSON from standard input."
     arithmetic =
-      option
-        (oneOf [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
-        ( long "arithmetic"
-            <> metavar "filtered|exact|double"
-            <> value Filtered
-            <> showDefaultWith (const "filtered")
-            <> help "How signs are decided. double is unsafe: wrong results are its purpose."
-        )
+      given
+        (words' [("filtered", Filtered), ("exact", Exact), ("double", UnsafeDouble)])
+        "arithmetic"
+        "How signs are decided. double is unsafe: wrong results are its purpose."
+        (Default "filtered")
+        <|> pure Filtered
     scheduler =
-      option
-        (oneOf [("topological", Topological), ("straight", Straight), ("reference", Reference)])
-        ( long "scheduler"
-            <> metavar "topological|straight|reference"
-            <> value Topological
-            <> showDefaultWith (const "topological")
-            <> help
-              "The order in which vertices are swept: any legal one, or by direction. The result is the same. \
-              \reference sweeps as topological does, by a slower program that is written to be read."
-        )
+      given
+        (words' [("topological", Topological), ("straight", Straight), ("reference", Reference)])
+        "scheduler"
+        "The order in which vertices are swept: any legal one, or by direction. The result is the same. \
+        \reference sweeps as topological does, by a slower program that is written to be read."
+        (Default "topological")
+        <|> pure Topological
+
+talkOption :: Parser Talk
+talkOption =
+  flag Talkative Quiet (long "quiet" <> help "Say nothing on standard error but errors: no progress, no warnings.")
 
 -- | How many bytes of memory a command may take.
 memoryOption :: Parser (Maybe Word64)
 memoryOption =
-  optional . option (eitherReader size) $
-    long "memory"
-      <> metavar "SIZE"
-      <> help
-        "The most memory to take, such as 500M or 2G (of 1024M), from 16M on. Where more is needed, the command ends \
-        \with exit code 6. Default: half of the machine's memory, or what a container or ulimit -v allows, if less."
+  optional $
+    given
+      (Reading "SIZE" "SIZE is from 16M to 1024T, such as 500M or 2G (of 1024M)." mempty size)
+      "memory"
+      "The most memory to take. Where more is needed, the command ends with exit code 6."
+      (Default "half of the machine's memory, or what a container or ulimit -v allows, if less")
   where
     size word = case span isDigit word of
       (number, unit)

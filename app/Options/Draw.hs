@@ -4,18 +4,24 @@ module Options.Draw
   , Figure (..)
   , LightOptions (..)
   , Frames (..)
-  , figureKind
-  , figureOption
+    -- * What each figure takes
+  , drawOptions
+  , matrixFigure
+  , viewFigure
+  , meshFigure
+  , lightFigure
+  , sweepFigure
   ) where
 
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 import Options.Applicative
 import Options.Mesh
+import Options.Radiosity (toleranceGiven)
 import Options.Reader
 import Options.View
 import Visibility.Draw.Mesh (CastingLines (..))
 import Visibility.Draw.Values (Scaling (..))
-import Visibility.Scene (SideName (..))
+import Visibility.Radiosity (Tolerance, defaultTolerance)
 
 data DrawOptions = DrawOptions
   { figure :: !Figure
@@ -34,129 +40,65 @@ data Figure
 -- | Which states of the sweep.
 data Frames
   = -- | That after so many vertices.
-    After !Int
+    After !Integer
   | -- | So many states from the first to the last, a file each in a folder.
-    Spread !Int
+    Spread !Integer
 
 -- | How radiosity is shown.
 data LightOptions = LightOptions
   { lightElements :: !Elements
   , lightScaling :: !Scaling
-  , lightProfiles :: ![SideName]
+  , lightTolerance :: !Tolerance
+  , lightProfiles :: ![Address]
   -- ^ The sides that have a profile below the scene.
   }
 
--- | The word for a figure.
-data FigureName = OfScene | OfDual | OfMatrix | OfView | OfMesh | OfRadiosity | OfSweep
-  deriving (Eq)
+-- | A figure, or what is wrong with it, and where it goes; given is what may stand for the file.
+drawOptions :: String -> Parser (Either String Figure) -> Parser (Either String DrawOptions)
+drawOptions shape chosen = (\wanted file -> (`DrawOptions` file) <$> wanted) <$> chosen <*> optional output
+  where
+    output =
+      option (eitherReader (readingOf reading)) $
+        short 'o' <> long "output" <> metavar shape <> completer (readingCompleter reading)
+          <> help "Where to write. (default: standard output)"
+    reading = outputFile shape
 
--- | What is said besides the word.
-data Said = Said
-  { saidBreaks :: !(Maybe Breaks)
-  , saidMesh :: !(Maybe MeshName)
-  , saidMost :: !(Maybe ElementCount)
-  , saidLines :: !(Maybe CastingLines)
-  , saidScaling :: !(Maybe Scaling)
-  , saidProfiles :: ![SideName]
-  , saidFrames :: !(Maybe Frames)
-  }
+matrixFigure :: Parser (Either String Figure)
+matrixFigure = fmap (MatrixFigure . fromMaybe WholeSides) <$> elementsGiven "sides"
 
--- | The figure, or why there is none of this kind.
-figureKind :: Parser (Either String Figure)
-figureKind = (\name from said -> from >>= figured name said) <$> figureName <*> place <*> saidBesides
+viewFigure :: Parser (Either String Figure)
+viewFigure = fmap ViewFigure <$> place
 
-figureName :: Parser FigureName
-figureName =
-  argument
-    ( oneOf
-        [ ("scene", OfScene)
-        , ("dual", OfDual)
-        , ("matrix", OfMatrix)
-        , ("view", OfView)
-        , ("mesh", OfMesh)
-        , ("radiosity", OfRadiosity)
-        , ("sweep", OfSweep)
-        ]
-    )
-    ( metavar "FIGURE"
-        <> help
-          "scene: the polygons and their free bitangents. dual: the arrangement of the corners' curves. \
-          \matrix: the form factors, a coloured cell for each that is not zero. \
-          \view: what is seen --from a point, a --corner or a --side. mesh: the break points of all sides. \
-          \radiosity: how bright each element of each side is. \
-          \sweep: both horizon trees of the topological sweep, --at a moment or in several --frames."
-    )
+meshFigure :: Parser (Either String Figure)
+meshFigure = (\wanted cast -> Right (MeshFigure cast wanted)) <$> meshOptions <*> casting
+  where
+    casting = flag WithoutLines WithLines (long "lines" <> help "Draw the lines that cast the break points too.")
 
-saidBesides :: Parser Said
-saidBesides =
-  Said
-    <$> optional breaksGiven
-    <*> optional meshGiven
+lightFigure :: Parser (Either String Figure)
+lightFigure =
+  lit
+    <$> optional (meshGiven "discontinuity")
     <*> optional mostGiven
-    <*> casting
-    <*> logarithmic
-    <*> profiles
-    <*> optional frames
+    <*> scaling
+    <*> optional toleranceGiven
+    <*> many profile
   where
+    lit mesh most scaled close sides =
+      (\cut -> LightFigure (LightOptions (fromMaybe WholeSides cut) scaled (fromMaybe defaultTolerance close) sides))
+        <$> elementsFrom (mesh <|> Just (CutAt AllBreaks)) most
+    scaling = flag Linear Logarithmic (long "log" <> help "A logarithmic scale of colours.")
+    profile = given (address "S") "profile" "Plot it along this side; may be given several times." (Default "none")
+
+sweepFigure :: Parser (Either String Figure)
+sweepFigure = maybe (Left "give --at K or --frames N") (Right . SweepFigure) <$> optional (at <|> frames)
+  where
+    at = After <$> given (reading "K" 0 "20") "at" "The state after K vertices, at most all of the sweep." one
     frames =
-      After <$> option (number "--at" 0) (long "at" <> metavar "K" <> help "Of the sweep: the state after K vertices.")
-        <|> Spread
-          <$> option
-            (number "--frames" 2)
-            ( long "frames"
-                <> metavar "N"
-                <> help "Of the sweep: N states from the first to the last, each in a file of the folder --output."
-            )
-    number name least = fromInteger <$> eitherReader (wholeNumber name least 1000000000)
-    casting =
-      flag Nothing (Just WithLines) $
-        long "lines" <> help "Of a mesh: draw the lines that cast the break points too."
-    logarithmic = flag Nothing (Just Logarithmic) (long "log" <> help "Of radiosity: a logarithmic scale of colours.")
-    profiles =
-      many . option (nameReader SideName) $
-        long "profile" <> metavar "P.S" <> help "Of radiosity: plot it along this side; may be given several times."
-
-figured :: FigureName -> Said -> Maybe From -> Either String Figure
-figured name said from = do
-  looking <- case (name, from) of
-    (OfView, Nothing) -> Left "draw view needs --from X,Y, --corner P.K or --side P.S"
-    (OfView, _) -> Right from
-    (_, Nothing) -> Right Nothing
-    _ -> Left "--from, --corner and --side are for the figure view"
-  sequence_ [Left (word <> " is for " <> figures) | (word, True, names, figures) <- words', name `notElem` names]
-  case name of
-    OfScene -> Right SceneFigure
-    OfDual -> Right DualFigure
-    OfView -> maybe (Left "draw view needs a place") (Right . ViewFigure) looking
-    OfMesh ->
-      let chosen = MeshOptions (fromMaybe AllBreaks (saidBreaks said)) (saidMost said)
-       in Right (MeshFigure (fromMaybe WithoutLines (saidLines said)) chosen)
-    OfMatrix -> MatrixFigure . fromMaybe WholeSides <$> elementsFrom (saidMesh said) (saidMost said)
-    OfRadiosity -> do
-      chosen <- elementsFrom (saidMesh said <|> Just (CutAt AllBreaks)) (saidMost said)
-      Right $
-        LightFigure
-          LightOptions
-            { lightElements = fromMaybe WholeSides chosen
-            , lightScaling = fromMaybe Linear (saidScaling said)
-            , lightProfiles = saidProfiles said
-            }
-    OfSweep -> maybe (Left "draw sweep needs --at K or --frames N") (Right . SweepFigure) (saidFrames said)
-  where
-    words' =
-      [ ("--breaks", isJust (saidBreaks said), [OfMesh], "the figure mesh")
-      , ("--mesh", isJust (saidMesh said), [OfMatrix, OfRadiosity], "the figures matrix and radiosity")
-      , ("--max-elements", isJust (saidMost said), [OfMesh, OfMatrix, OfRadiosity], cutFigures)
-      , ("--lines", isJust (saidLines said), [OfMesh], "the figure mesh")
-      , ("--log", isJust (saidScaling said), [OfRadiosity], "the figure radiosity")
-      , ("--profile", not (null (saidProfiles said)), [OfRadiosity], "the figure radiosity")
-      , ("--at", isAt, [OfSweep], "the figure sweep")
-      , ("--frames", isJust (saidFrames said) && not isAt, [OfSweep], "the figure sweep")
-      ]
-    cutFigures = "the figures mesh, matrix and radiosity"
-    isAt = case saidFrames said of Just (After _) -> True; _ -> False
-
-figureOption :: Parser (Maybe FilePath)
-figureOption =
-  optional . strOption $
-    short 'o' <> long "output" <> metavar "FILE.svg" <> help "Where to write; standard output if not given."
+      Spread
+        <$> given
+          (reading "N" 2 "10")
+          "frames"
+          "N states from the first to the last, each in a file of the folder --output."
+          one
+    one = Default "none; --at or --frames is required"
+    reading letter least = wholeNumber letter least (10 ^ (9 :: Int))

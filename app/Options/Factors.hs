@@ -32,9 +32,10 @@ data FactorValues
 factorOptions :: Parser (Either String FactorOptions)
 factorOptions =
   (\chosen made -> ($) <$> made <*> chosen)
-    <$> (elementsChosen <$> elementsFlag <*> optional meshGiven <*> optional mostGiven)
+    <$> (elementsChosen <$> elementsFlag <*> optional (meshGiven usually) <*> optional mostGiven)
     <*> (combined <$> format <*> double <*> optional digitsGiven <*> detailOption)
   where
+    usually = "sides; with --elements, discontinuity"
     -- The mesh where none is named.
     elementsFlag =
       flag
@@ -46,14 +47,12 @@ factorOptions =
         )
     elementsChosen usual mesh most = fromMaybe WholeSides <$> elementsFrom (mesh <|> usual) most
     format =
-      option
-        (oneOf [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])
-        ( long "format"
-            <> metavar "csv|json|text"
-            <> value FactorsCsv
-            <> showDefaultWith (const "csv")
-            <> help "Output format."
-        )
+      given
+        (words' [("csv", FactorsCsv), ("json", FactorsJson), ("text", FactorsText)])
+        "format"
+        "Output format."
+        (Default "csv")
+        <|> pure FactorsCsv
     double =
       flag
         Nothing
@@ -75,16 +74,11 @@ digitsOption = fromMaybe defaultDigits <$> optional digitsGiven
 
 digitsGiven :: Parser Digits
 digitsGiven =
-  option
-    (eitherReader (countOf "digits" 1000000 digits))
-    ( long "digits"
-        <> metavar "N"
-        <> help
-          ( "Significant digits of form factors, at least 1, correctly rounded. (default: "
-              <> show (digitCount defaultDigits)
-              <> ")"
-          )
-    )
+  given
+    (counted "N" 1000000 "30" digits)
+    "digits"
+    "Significant digits of form factors, correctly rounded."
+    (Default (show (digitCount defaultDigits)))
 
 detailOption :: Parser Detail
 detailOption =

@@ -15,7 +15,7 @@ module Options.Mesh
   , ElementCount
   ) where
 
-import Data.List (stripPrefix)
+import Data.List (intercalate, stripPrefix)
 import Data.Maybe (fromMaybe)
 import Options.Applicative
 import Options.Reader
@@ -46,9 +46,9 @@ data Elements
 -- | What @--mesh@ names.
 data MeshName = NoMesh | CutAt !Breaks
 
--- | The elements that are asked for, if that is said, or what does not go together.
-elementsGiven :: Parser (Either String (Maybe Elements))
-elementsGiven = elementsFrom <$> optional meshGiven <*> optional mostGiven
+-- | The elements that are asked for, if that is said, or what does not go together. Given is what they are else.
+elementsGiven :: String -> Parser (Either String (Maybe Elements))
+elementsGiven usual = elementsFrom <$> optional (meshGiven usual) <*> optional mostGiven
 
 elementsFrom :: Maybe MeshName -> Maybe ElementCount -> Either String (Maybe Elements)
 elementsFrom mesh most = case (mesh, most) of
@@ -57,51 +57,47 @@ elementsFrom mesh most = case (mesh, most) of
   (Just (CutAt breaks), _) -> Right (Just (ElementsOf (MeshOptions breaks most)))
   (_, Just _) -> Left "--max-elements goes with a --mesh other than sides"
 
-meshGiven :: Parser MeshName
-meshGiven =
-  option
-    (eitherReader named)
-    ( long "mesh"
-        <> metavar "sides|discontinuity|shadow-limits|uniform:N"
-        <> help
-          "What the elements are: whole sides, or what break points cut them into: those of the discontinuity mesh, \
-          \those of them where shadows end, or N equal parts."
-    )
-  where
-    named word = case word of
-      "sides" -> Right NoMesh
-      "discontinuity" -> Right (CutAt AllBreaks)
-      "all" -> Left (notOne word)
-      _ -> either (const (Left (notOne word))) (Right . CutAt) (breaksNamed word)
-    notOne word = word <> " is none of: sides, discontinuity, shadow-limits, uniform:N"
+-- | Given is what the elements are where it is not.
+meshGiven :: String -> Parser MeshName
+meshGiven usual =
+  given
+    (breaksOr CutAt [("sides", NoMesh), ("discontinuity", CutAt AllBreaks), ("shadow-limits", CutAt OnlyShadowLimits)])
+    "mesh"
+    "What the elements are: whole sides, or what break points cut them into: those of the discontinuity mesh, those of \
+    \them where shadows end, or N equal parts."
+    (Default usual)
 
 breaksGiven :: Parser Breaks
 breaksGiven =
-  option
-    (eitherReader breaksNamed)
-    ( long "breaks"
-        <> metavar "all|shadow-limits|uniform:N"
-        <> help "Where sides are cut: where lines land, where shadows end, or into N equal parts. (default: all)"
-    )
+  given
+    (breaksOr id [("all", AllBreaks), ("shadow-limits", OnlyShadowLimits)])
+    "breaks"
+    "Where sides are cut: where lines land, where shadows end, or into N equal parts."
+    (Default "all")
 
 mostGiven :: Parser ElementCount
 mostGiven =
-  option
-    (eitherReader (count "max-elements"))
-    ( long "max-elements"
-        <> metavar "N"
-        <> help
-          "At most N elements on each side, but one for each part that nothing covers: drops break points, kinks \
-          \first, then those whose elements are short; those of both faces of a thin wall count on each. The JSON \
-          \lists what was dropped."
-    )
+  given
+    (counted "N" greatest "8" elementCount)
+    "max-elements"
+    "At most N elements on each side, but one for each part that nothing covers: drops break points, kinks first, then \
+    \those whose elements are short; those of both faces of a thin wall count on each. The JSON lists what was dropped."
+    (Default "no limit")
 
-breaksNamed :: String -> Either String Breaks
-breaksNamed word = case (word, stripPrefix "uniform:" word) of
-  ("all", _) -> Right AllBreaks
-  ("shadow-limits", _) -> Right OnlyShadowLimits
-  (_, Just number) -> Uniform <$> count "uniform" number
-  _ -> Left (word <> " is none of: all, shadow-limits, uniform:N")
+-- Some words, or equal parts.
+breaksOr :: (Breaks -> a) -> [(String, a)] -> Reading a
+breaksOr made choices =
+  Reading (intercalate "|" shapes) (readingBounds parts) (listCompleter (names <> ["uniform:"])) $ \word ->
+    case (lookup word choices, stripPrefix "uniform:" word) of
+      (Just choice, _) -> Right choice
+      (_, Just number) -> made . Uniform <$> either (Left . ("uniform: " <>)) Right (readingOf parts number)
+      _ -> Left (word <> " is none of: " <> intercalate ", " shapes <> near word)
+  where
+    near word = meant (takeWhile (/= ':') word) (names <> ["uniform"])
+    names = map fst choices
+    shapes = names <> ["uniform:N"]
+    parts = counted "N" greatest "10" elementCount
 
-count :: String -> String -> Either String ElementCount
-count name = countOf name 1000000 elementCount
+-- The most elements that a side may be cut into.
+greatest :: Integer
+greatest = 1000000

@@ -101,8 +101,11 @@ int viscomplex_begin(const char *path) {
   }
 }
 
-/* Writes all of some bytes. */
+void viscomplex_end_line(void);
+
+/* Writes all of some bytes. A line of progress ends where they go to the terminal too. */
 int viscomplex_write(int fd, const char *bytes, size_t count) {
+  if (fd == STDERR_FILENO || (fd == STDOUT_FILENO && isatty(fd))) viscomplex_end_line();
   while (count > 0) {
     ssize_t done = write(fd, bytes, count);
     if (done > 0) {

@@ -50,7 +50,7 @@ spec = describe "radiosity" $ do
     refuses 1 ["with Doubles", "--tolerance", "--digits"] ["radiosity", "scenes/flat.json", "--tolerance", "1e-25"] ""
   it "refuses tolerances that are none, and two at once" $ do
     for_ ["0", "-1", "1", "1e3"] $ \x ->
-      refuses 1 ["between 0 and 1"] ["radiosity", "scenes/room.json", "--tolerance=" <> x] ""
+      refuses 1 ["above 0 and below 1"] ["radiosity", "scenes/room.json", "--tolerance=" <> x] ""
     refuses 1 ["close"] ["radiosity", "scenes/room.json", "--tolerance", "close"] ""
     refuses 1 ["--digits"] ["radiosity", "scenes/room.json", "--tolerance", "1e-9", "--digits", "9"] ""
     refuses 1 ["whole number"] ["radiosity", "scenes/room.json", "--digits", "0"] ""

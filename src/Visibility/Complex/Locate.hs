@@ -9,6 +9,7 @@ module Visibility.Complex.Locate
   , Place (..)
   , Start (..)
   , locate
+  , boundariesAt
   ) where
 
 import Data.List (minimumBy)
@@ -134,17 +135,31 @@ locate complex point = (eye, if null here then elsewhere else OnCorners here)
 --
 -- /Cost/ O(n).
 solidAt :: Scene -> Point -> PolygonId
-solidAt scene point@(Point x y) = case filter holds (scenePolygons scene) of
+solidAt scene point@(Point x _) = case filter holds (scenePolygons scene) of
   polygon : _ -> polygonId polygon
   [] -> Enclosure
   where
     holds polygon =
-      polygonId polygon /= Enclosure && polygonForm polygon == Ring && (any isOn around || isInside around)
-      where
-        around = zip (polygonPoints polygon) (drop 1 (cycle (polygonPoints polygon)))
+      polygonId polygon /= Enclosure && polygonForm polygon == Ring && (isOnBoundary point polygon || isInside (ways polygon))
     isInside around = odd (length (filter isAbove around))
-    isOn (a, b) = aside a b == 0 && min a b <= point && point <= max a b
     -- Does the vertical ray upwards from the point meet a side?
-    isAbove (a@(Point ax _), b@(Point bx _)) = (ax <= x) /= (bx <= x) && (aside a b > 0) == (ax > bx)
-    -- Positive where the point lies to the left of the way.
-    aside (Point ax ay) (Point bx by) = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+    isAbove (a@(Point ax _), b@(Point bx _)) = (ax <= x) /= (bx <= x) && (aside point a b > 0) == (ax > bx)
+
+-- | The polygons on whose boundaries a point lies, whether others cover it there or not. /Cost/ O(n).
+boundariesAt :: Scene -> Point -> [PolygonId]
+boundariesAt scene point = [polygonId polygon | polygon <- scenePolygons scene, isOnBoundary point polygon]
+
+isOnBoundary :: Point -> Polygon -> Bool
+isOnBoundary point = any isOn . ways
+  where
+    isOn (a, b) = aside point a b == 0 && min a b <= point && point <= max a b
+
+-- The ways along the sides of a polygon, those of a thin wall once.
+ways :: Polygon -> [(Point, Point)]
+ways polygon = zip corners' (drop 1 corners' <> [a | Ring <- [polygonForm polygon], a <- take 1 corners'])
+  where
+    corners' = polygonPoints polygon
+
+-- Positive where the point lies to the left of the way.
+aside :: Point -> Point -> Point -> Rational
+aside (Point x y) (Point ax ay) (Point bx by) = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
