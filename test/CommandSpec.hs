@@ -240,7 +240,7 @@ spec = do
       refuses 1 ["not more"] ["view", "scenes/room.json", "--from", "1,1", "--corner", "0.0"] ""
       refuses 1 ["normal"] ["view", "scenes/room.json", "--from", "1/2,3", "--normal", "0,0"] ""
       refuses 1 ["draw view: give --from"] ["draw", "view", "scenes/room.json"] ""
-      refuses 1 ["--from", "option of draw view"] ["draw", "dual", "scenes/room.json", "--from", "1,1"] ""
+      refuses 1 ["--from", "it is an option of view, draw view"] ["draw", "dual", "scenes/room.json", "--from", "1,1"] ""
 
   describe "draw" $ do
     it "draws views" $
@@ -269,7 +269,7 @@ spec = do
       length few `shouldSatisfy` (< length plain)
       for_ [["--lines"], ["--breaks", "all"]] $ \options ->
         refuses 1 ["it is an option of", "draw mesh"] (["draw", "scene", "scenes/room.json"] <> options) ""
-      refuses 1 ["option of draw view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
+      refuses 1 ["it is an option of view, draw view"] ["draw", "mesh", "scenes/room.json", "--from", "1,1"] ""
     it "draws the figures of the README, of docs/commands.md and of docs/mesh.md" $
       for_ documentedFigures $ \(figure, name) -> do
         svg <- output (["draw"] <> take 1 (words figure) <> ["scenes/room.json"] <> drop 1 (words figure)) ""
