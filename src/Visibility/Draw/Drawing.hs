@@ -105,8 +105,7 @@ data Style
   | -- | The free inside of a room.
     RoomFloor
   | Opaque
-  | -- | The outline of a room.
-    RoomWall
+  | RoomWall
   | ThinWall
   | Bitangent
   | -- | The dark rim below a light source.
@@ -126,10 +125,9 @@ data Style
     KinkTick
   | -- | Where a side is cut into equal parts.
     EqualPartsTick
-  | -- | The line that casts a shadow limit.
+  | -- | The line that casts a shadow limit; a kink.
     ShadowLine
-  | -- | The line that casts a kink.
-    KinkLine
+  | KinkLine
   | -- | The line of a vertex that has been swept just now.
     SweptLine
   | -- | The line of a vertex that may be swept.
@@ -141,8 +139,7 @@ data Style
   | NewLeftTreeEdge
   | -- | A side, or a piece of one, that is seen.
     SeenSide
-  | -- | The side that sees.
-    SeeingSide
+  | SeeingSide
   | -- | The normal of an element.
     Arrow
   | ViewpointDot
@@ -152,10 +149,8 @@ data Style
     Cell !Shade
   | -- | A band along a side, or the area under a profile, for a value.
     Band !Shade
-  | -- | The edge of bands.
-    BandEdge
-  | -- | The values along a side.
-    ProfileLine
+  | BandEdge
+  | ProfileLine
   | -- | Points of a plot that belong together, and the line that joins them, in a colour @#rrggbb@ of its own.
     PlotLine !String
   | Axis

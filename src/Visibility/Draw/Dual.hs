@@ -208,22 +208,15 @@ slopeOnCanvas frame c theta = (y1 - y0) / (x1 - x0)
 edgeSamples :: Frame -> Edge -> [(Double, Double)]
 edgeSamples frame edge = [(theta, heightAt frame (edgeCorner edge) theta) | theta <- from : samples 2 edge <> [to]]
   where
-    from = directionAngle (edgeFrom edge)
-    to = directionAngle (edgeTo edge)
+    (from, to) = (directionAngle (edgeFrom edge), directionAngle (edgeTo edge))
 
 -- | The multiples of some degrees strictly inside the interval of an edge, in radians.
 samples :: Int -> Edge -> [Double]
 samples degrees edge =
-  [ theta
-  | k <- [floor (from / step) .. ceiling (to / step) :: Int]
-  , let theta = fromIntegral k * step
-  , theta > from
-  , theta < to
-  ]
+  filter (> from) (takeWhile (< to) [fromIntegral k * step | k <- [floor (from / step) :: Int ..]])
   where
     step = fromIntegral degrees * pi / 180
-    from = directionAngle (edgeFrom edge)
-    to = directionAngle (edgeTo edge)
+    (from, to) = (directionAngle (edgeFrom edge), directionAngle (edgeTo edge))
 
 -- | The point of a vertex, and its other end if it is vertical.
 eventPoints :: Scene -> Frame -> Event -> [(Double, Double)]
@@ -231,8 +224,7 @@ eventPoints scene frame (Event vertex _ _) = case vertexDirection scene vertex o
   Direction 0 _ -> [(pi / 2, u (pi / 2)), (-pi / 2, u (-pi / 2))]
   direction -> let theta = directionAngle direction in [(theta, u theta)]
   where
-    u = heightAt frame first
-    first = vertexFirst vertex
+    u = heightAt frame (vertexFirst vertex)
 
 dotMarks :: Scene -> Frame -> Event -> [Mark]
 dotMarks scene frame event = [Mark name style (Dot (onCanvas frame at)) | at <- eventPoints scene frame event]

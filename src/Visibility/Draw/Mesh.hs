@@ -11,6 +11,7 @@ import qualified Data.Text as Text
 import qualified Data.Vector as V
 import Visibility.Draw.Figure
 import Visibility.Exact.Rounding (rationalText)
+import Visibility.Format.Mesh (kindText)
 import Visibility.Mesh
 import Visibility.Mesh.Span
 import Visibility.Scene
@@ -102,7 +103,4 @@ lineStyle ShadowLimit = ShadowLine
 lineStyle Kink = KinkLine
 
 kindName :: Maybe Kind -> Text
-kindName kind = case kind of
-  Just ShadowLimit -> "shadow limit"
-  Just Kink -> "kink"
-  Nothing -> "equal parts"
+kindName = Text.replace "-" " " . Text.pack . kindText

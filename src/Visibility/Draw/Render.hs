@@ -30,7 +30,8 @@ renderSvg drawing =
   encodeUtf8 . compactPaths . renderText . flip with attributes . svg11_ $
     title_ [] (toElement (printable (drawingTitle drawing)))
       <> desc_ [] (toElement (printable (drawingDescription drawing)))
-      <> style_ [] (toElement styleSheet)
+      -- The backend states a dominant base line, which viewers treat differently.
+      <> style_ [] ("text{dominant-baseline:alphabetic}" :: Element)
       <> document (rect width height # moveTo (p2 (width / 2, height / 2)) # fc white # lw none)
       <> foldMap layerGroup (drawingLayers drawing)
   where
@@ -51,11 +52,6 @@ renderSvg drawing =
       renderDia SVG (SVGOptions (dims2D width height) Nothing "" [] False) $
         picture # withEnvelope (rect width height # moveTo (p2 (width / 2, height / 2)) :: Diagram SVG)
 
--- | The backend states a dominant base line, which viewers treat differently; texts here stand on their alphabetic
--- base line.
-styleSheet :: Text
-styleSheet = "text{dominant-baseline:alphabetic}"
-
 -- | XML has no way to write the other characters.
 printable :: Text -> Text
 printable = Text.filter (\c -> c >= ' ' && c /= '\xFFFE' && c /= '\xFFFF')
@@ -68,12 +64,11 @@ layerPicture (Layer _ density marks) = mconcat (reverse (map (piece density) (sh
 shared :: [Mark] -> [[Mark]]
 shared = concatMap (chunks 250) . groupBy alike
   where
-    alike (Mark _ style shape) (Mark _ style' shape') = style == style' && kind shape == kind shape' && kind shape /= 3
-    kind :: Shape -> Int
-    kind (Region _) = 0
-    kind (Polyline _) = 1
-    kind (Dot _) = 2
-    kind (Label {}) = 3
+    alike (Mark _ style shape) (Mark _ style' shape') = style == style' && isOfKind shape shape'
+    isOfKind (Region _) (Region _) = True
+    isOfKind (Polyline _) (Polyline _) = True
+    isOfKind (Dot _) (Dot _) = True
+    isOfKind _ _ = False
     chunks k list = case splitAt k list of
       ([], _) -> []
       (now, later) -> now : chunks k later

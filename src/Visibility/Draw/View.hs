@@ -131,8 +131,7 @@ viewpointMarks :: Scene -> Frame -> ViewFigure -> [Mark]
 viewpointMarks scene frame figure = arrow <> map dot (viewpointOf figure)
   where
     place = placeOfPoint scene frame
-    dot q = Mark (maybe Text.empty cornerAsText (cornerHere scene q)) ViewpointDot (Dot (place q))
-    cornerAsText = Text.pack . cornerText
+    dot q = Mark (Text.pack (maybe "" cornerText (cornerHere scene q))) ViewpointDot (Dot (place q))
     arrow = case figure of
       ElementFigure q normal _ _ -> arrowMarks (place q) (directionAngle normal) 4 30
       _ -> []
@@ -190,11 +189,9 @@ factorText = Text.pack . maybe (const "") decimal (digits 3)
 
 titleOf :: Scene -> ViewFigure -> Text
 titleOf scene figure = flip titleAfter scene $ case figure of
-  RegionFigure q _ -> "Seen from " <> maybe "a point" (\c -> "corner " <> named c) (cornerHere scene q)
+  RegionFigure q _ -> "Seen from " <> maybe "a point" (Text.pack . ("corner " <>) . cornerText) (cornerHere scene q)
   ElementFigure {} -> "Seen from an element"
   SideFigure side _ -> "Seen from side " <> Text.pack (sideText side)
-  where
-    named = Text.pack . cornerText
 
 factsOf :: Scene -> ViewFigure -> [Text]
 factsOf scene figure = case figure of

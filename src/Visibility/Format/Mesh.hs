@@ -37,16 +37,18 @@ breakPoint scene point =
   pairs $
     pair "at" (exactPoint (breakAt point))
       <> pair "parameter" (exact (breakParameter point))
-      <> pair "kind" (string (maybe "equal-parts" kindText (breakKind point)))
+      <> pair "kind" (string (kindText (breakKind point)))
       <> case breakCasters point of
         [] -> mempty
         first : others -> cornersOf first <> mconcat [pair "others" (list other others) | not (null others)]
   where
     cornersOf caster =
       let (near, far) = casterNames scene caster in pair "caster" (list (string . cornerText) [near, far])
-    other caster = pairs (cornersOf caster <> pair "kind" (string (kindText (casterKind caster))))
+    other caster = pairs (cornersOf caster <> pair "kind" (string (kindText (Just (casterKind caster)))))
 
--- | @shadow-limit@ or @kink@.
-kindText :: Kind -> String
-kindText ShadowLimit = "shadow-limit"
-kindText Kink = "kink"
+-- | @shadow-limit@ or @kink@, or else @equal-parts@.
+kindText :: Maybe Kind -> String
+kindText kind = case kind of
+  Just ShadowLimit -> "shadow-limit"
+  Just Kink -> "kink"
+  Nothing -> "equal-parts"
