@@ -74,20 +74,10 @@ data Running s = Running
   , stack :: !(MutablePrimArray s Int32)
   -- ^ The corners at which a vertex may be ready, each once.
   , isPending :: !(MutablePrimArray s Int32)
-  -- ^ By corner: 1 where it is on the stack, 2 where it is but need not be looked at. See Note [Waiting].
+  -- ^ By corner: 1 where it is on the stack.
   , written :: !(MutablePrimArray s Int32)
   -- ^ The vertices of the piece at hand, in the numbers of a 'Piece'.
   }
-
--- Note [Waiting]
--- ~~~~~~~~~~~~~~
--- A line may be looked at in vain, because at one of its corners, the blocking one, a pair of less slope
--- is next, or no pair of the line is mutual there. All other corners that were met have a pair of the line as their
--- next one of least slope. So none of them is on a vertex that is ready before the line is, and this will be found from
--- the blocking corner, which is put on the stack when that has been swept. So until they are swept themselves they need
--- not be looked at again: else each of k corners would look at k others. From a corner that has been swept, one looks
--- along both arms by turns, to the next blocking corner on one of them: like merging the lesser of two parts into the
--- greater one, this takes O(k log k) steps in all.
 
 -- | How far the sweep is: corners on the stack, pairs swept since the start, numbers written of the piece at hand.
 data Progress = Progress {depth :: !Int, pairsSwept :: !Int, size :: !Int}
@@ -128,14 +118,10 @@ run state !most = go
       | pairsSwept now > n * (n - 1) `div` 2 = broken "each elementary pair is swept once" (show (pairsSwept now))
       | otherwise = do
           p <- fromIntegral <$> readPrimArray (stack state) (depth now - 1)
-          flag <- readPrimArray (isPending state) p
           writePrimArray (isPending state) p 0
           let popped = now {depth = depth now - 1}
-          if flag == 2
-            then go popped
-            else do
-              ahead <- getList (rightTree state) (target p)
-              if isCornerList ahead then try OfRightTree popped p p (listOwner ahead) else tryLeft popped p
+          ahead <- getList (rightTree state) (target p)
+          if isCornerList ahead then try OfRightTree popped p p (listOwner ahead) else tryLeft popped p
     tryLeft !now !p = do
       back <- getList (leftTree state) (target p)
       if isCornerList back then try OfLeftTree now p (listOwner back) p else go now
@@ -148,9 +134,7 @@ run state !most = go
         PerhapsLine -> tryLine which now p a b
     -- Apart, so that nothing is allocated for it where it is not needed.
     tryLine which !now !p !a !b =
-      readyLine state a b >>= either (\met -> mapM_ (wait state) met >> failed which now p) swept
-      where
-        swept line = sweepVertex state now line >>= go
+      readyLine state a b >>= maybe (failed which now p) (\line -> sweepVertex state now line >>= go)
     failed which !now !p = case which of
       OfRightTree -> tryLeft now p
       OfLeftTree -> go now
@@ -201,19 +185,18 @@ continuing f !a !b !l
 -- corners found, the last first; the corner to go on from, or nothing where the line ends.
 data Arm s = Arm !(Growing s) !(Growing s) !Turn ![Int] !(Maybe Int)
 
--- | The vertex that this pair is on if it may be swept, else the corners that wait for it, see Note [Waiting]. See Note
--- [Line] of the reference.
+-- | The vertex that this pair is on, if it may be swept. See Note [Line] of the reference.
 --
 -- /Cost/ O(1) for each corner; O(log k) for each of k corners where there are split ends.
-readyLine :: Running s -> Int -> Int -> ST s (Either [Int] Vertex)
+readyLine :: Running s -> Int -> Int -> ST s (Maybe Vertex)
 readyLine state@Running {sweptScene = scene} !p !q
   | hasSplitEnds scene = (>>= vertexOn . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
   | otherwise = byTurns (arm left right RightTurn) (arm right left LeftTurn)
   where
     (left, right) = (leftTree state, rightTree state)
-    vertexOn line = maybe (Left []) Right (fromCorners (map CornerId line))
+    vertexOn = fromCorners . map CornerId
     arm tree back greater = Arm tree back greater [] (Just p)
-    -- One corner further on either arm by turns, as long as no pair of less slope is next, nor one that is not mutual.
+    -- One corner further on either arm by turns; nothing where a pair of less slope is next, or one that is not mutual.
     byTurns (Arm _ _ _ found Nothing) (Arm _ _ _ found' Nothing) = pure (vertexOn (sort (p : found <> found')))
     byTurns ended@(Arm _ _ _ _ Nothing) other = byTurns other ended
     byTurns (Arm tree back greater found (Just c)) other = do
@@ -225,17 +208,15 @@ readyLine state@Running {sweptScene = scene} !p !q
         else case turn (scenePoints scene) p q d of
           Collinear -> do
             r <- getList back (target d)
-            if r == cornerList c then byTurns other (Arm tree back greater (d : found) (Just d)) else blocked
-          side -> if side == greater then ends else blocked
-      where
-        blocked = let Arm _ _ _ found' _ = other in pure (Left (filter (/= c) (p : found <> found')))
+            if r == cornerList c then byTurns other (Arm tree back greater (d : found) (Just d)) else pure Nothing
+          side -> if side == greater then ends else pure Nothing
     -- The same where a free end of a wall may lead along both faces.
-    collected [] line = pure (Right line)
+    collected [] line = pure (Just line)
     collected (c : rest) line = do
       ahead <- nextOnLine right left LeftTurn c
       behind <- nextOnLine left right RightTurn c
       case (<>) <$> ahead <*> behind of
-        Nothing -> pure (Left (filter (/= c) (IntSet.toList line)))
+        Nothing -> pure Nothing
         Just onwards ->
           let new = filter (`IntSet.notMember` line) onwards in collected (rest <> new) (foldr IntSet.insert line new)
     nextOnLine tree back greater c = do
@@ -290,20 +271,13 @@ sweepVertex state !now vertex = do
 push :: Running s -> Int -> Int -> ST s Int
 push state !deep !p = do
   already <- readPrimArray (isPending state) p
-  writePrimArray (isPending state) p 1
-  if already /= 0
+  if already == 1
     then pure deep
     else do
+      writePrimArray (isPending state) p 1
       writePrimArray (stack state) deep (fromIntegral p)
       pure (deep + 1)
 {-# INLINE push #-}
-
--- | Notes that a corner need not be looked at until it has been swept.
-wait :: Running s -> Int -> ST s ()
-wait state !p = do
-  flag <- readPrimArray (isPending state) p
-  when (flag == 1) $ writePrimArray (isPending state) p 2
-{-# INLINE wait #-}
 
 -- | Asks that no pair is left. Unsafe arithmetic may stop before the end, with pairs that are never swept.
 exhausted :: Running s -> ST s ()
