@@ -52,7 +52,7 @@ commandOf arguments = case execParserPure preferences everything arguments of
     everything = whole manual
     preferences = prefs noBacktrack
     refused contexts wrong = case execFailure failure program of
-      (answer, ExitFailure _, width) -> do
+      (answer, code, width) | null arguments || code /= ExitSuccess -> do
         let (messages, usage) = mistakeText path width answer
         complain messages
         hPutStrLn stderr usage

@@ -356,7 +356,8 @@ spec = do
   describe "mistakes" $ do
     it "in usage end with exit code 1" $ do
       for_
-        [ ["grpah"]
+        [ []
+        , ["grpah"]
         , ["graph"]
         , ["graph", "a", "b"]
         , ["draw", "picture", "scenes/room.json"]
