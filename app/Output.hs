@@ -48,8 +48,8 @@ foreign import ccall "viscomplex_heed_interrupts" heedInterrupts :: IO ()
 -- | Bounds what the program may take of memory, in bytes; beyond it, it ends with exit code 6.
 foreign import ccall "viscomplex_allow" allowMemory :: Word64 -> IO ()
 
--- | To be done before all else. Then texts are UTF-8 in every locale. Names of files are bytes: those that are not UTF-8
--- go through as they are. An interrupt ends the program as any other signal does.
+-- | To be done before all else. Then texts are UTF-8 in every locale. Names of files are bytes: those that are not
+-- UTF-8 go through as they are. An interrupt ends the program as any other signal does.
 prepare :: IO ()
 prepare = do
   heedInterrupts
@@ -68,7 +68,9 @@ guarded work = handle fault (work >> flushed)
       _ | Just code <- fromException exception -> flushed >> throwIO (code :: ExitCode)
       _ | Just trouble <- fromException exception ->
             -- Nobody can be told of a mistake in the arguments.
-            if ioeGetHandle trouble == Just stderr then ends WrongUsage else orComplain "standard output" (ioError trouble)
+            if ioeGetHandle trouble == Just stderr
+              then ends WrongUsage
+              else orComplain "standard output" (ioError trouble)
       _ | Just HeapOverflow <- fromException exception -> exhausted 0
       _ | Just StackOverflow <- fromException exception -> exhausted 0
       _ -> complain (lines (displayException exception)) >> ends LawBroken

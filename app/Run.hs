@@ -14,12 +14,14 @@ module Run
 import Control.Exception (SomeException, displayException, handleJust)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (group, sort)
 import qualified Data.Text as Text
 import Options (Common (..))
 import Output
 import Progress
+import System.FilePath (takeExtension)
 import System.IO (stderr)
 import System.IO.Error (tryIOError)
 import Visibility.Error
@@ -43,7 +45,8 @@ withScene common work = do
   raw <- either failed pure (readSceneBytes label bytes)
   handleJust broken (dump common bytes) $ do
     scene <- either (failed . fmap (InvalidScene label)) pure (validate raw)
-    warn common [label <> ": " <> twins | Just twins <- [twinNames raw]]
+    -- In GeoJSON a name is that of a feature, which may be several polygons.
+    warn common [label <> ": " <> twins | map toLower (takeExtension file) /= ".geojson", Just twins <- [twinNames raw]]
     stage "working"
     work (underArithmetic (arithmeticChoice common) scene)
   where
@@ -73,7 +76,7 @@ twinNames raw = case [twins | twins@(_ : _ : _) <- group (sort names)] of
       ( show (length one)
           <> " polygons are named "
           <> concatMap Text.unpack (take 1 one)
-          <> concat [", and " <> show (length twins - 1) <> " more names are not of one polygon alone" | length twins > 1]
+          <> concat [", and " <> show (length twins - 1) <> " more names are of several" | length twins > 1]
           <> "; such a name addresses none of them, a number does"
       )
   where

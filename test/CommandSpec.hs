@@ -63,10 +63,10 @@ spec = do
     for_ names $ \name ->
       it (name <> " is counted alike by info and graph, whose lines are sorted") $ do
         let file = "scenes" </> name
-        info <- output ["info", "--quiet", file] ""
-        pairs <- lines <$> output ["graph", "--quiet", file] ""
+        info <- output ["info", file] ""
+        pairs <- lines <$> output ["graph", file] ""
         lookup "elementary visible pairs" (infoLines info) `shouldBe` Just (show (length pairs))
-        bitangents <- lines <$> output ["graph", "--quiet", file, "--bitangents"] ""
+        bitangents <- lines <$> output ["graph", file, "--bitangents"] ""
         lookup "bitangents" (infoLines info) `shouldBe` Just (show (length bitangents))
         Set.fromList bitangents `Set.isSubsetOf` Set.fromList pairs `shouldBe` True
         map pairOf pairs `shouldBe` sort (map pairOf pairs)
@@ -151,7 +151,7 @@ spec = do
     it "is the same to the last byte for both schedulers and every exact arithmetic, in every scene" $ do
       names <- sceneFiles
       for_ names $ \name -> do
-        let call options = output (["complex", "--quiet", "scenes" </> name] <> options) ""
+        let call options = output (["complex", "scenes" </> name] <> options) ""
         topological <- call []
         straight <- call ["--scheduler", "straight"]
         exact <- call ["--arithmetic", "exact"]
@@ -240,7 +240,7 @@ spec = do
       refuses 1 ["not more"] ["view", "scenes/room.json", "--from", "1,1", "--corner", "0.0"] ""
       refuses 1 ["normal"] ["view", "scenes/room.json", "--from", "1/2,3", "--normal", "0,0"] ""
       refuses 1 ["draw view: give --from"] ["draw", "view", "scenes/room.json"] ""
-      refuses 1 ["--from", "it is an option of view, draw view"] ["draw", "dual", "scenes/room.json", "--from", "1,1"] ""
+      refuses 1 ["--from; it is an option of view, draw view"] (words "draw dual scenes/room.json --from 1,1") ""
 
   describe "draw" $ do
     it "draws views" $

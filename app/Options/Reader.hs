@@ -159,5 +159,6 @@ outputFile shape = Reading shape "" (bashCompleter "file") $ \path -> case drop 
     convertible = ["png", "pdf", "ps", "eps"]
     others = words "jpg jpeg gif webp bmp tif tiff ico svgz html htm json csv txt tex dxf"
     refused path ending way =
-      Left (path <> " says " <> map toUpper ending <> ", figures are SVG; give " <> svg path <> " and convert it: " <> way)
+      Left (path <> " says " <> map toUpper ending <> ", figures are SVG; give " <> svg path <> " and convert it: "
+        <> way)
     svg path = replaceExtension path "svg"

@@ -1,16 +1,16 @@
 -- | Looks for files that the readers, the check of scenes or the sweep treat wrongly: @fuzz SECONDS SEED OUT FILE …@
--- changes the given files at random and keeps each result that reaches a part of the program that none has reached, or
--- reaches it more often by a power of two. What is reached is told by the boxes of hpc, so this program must be compiled
--- with @-fhpc@.
+-- changes the given files at random and keeps each result that reaches a part of the program that none has reached,
+-- or reaches it more often by a power of two. What is reached is told by the boxes of hpc, so this program must be
+-- compiled with @-fhpc@.
 --
--- Of each file it asks that an answer comes within two seconds and is a documented one, and of each small scene that the
--- sweep finds what brute force finds. New files go to @OUT/corpus@, each as small as it was found to be, and those that
+-- Of each file it asks that an answer comes within two seconds and is a documented one, and of each small scene that
+-- the sweep finds what brute force finds. New files go to @OUT/corpus@, each as small as it was found to be, and those that
 -- fail to @OUT/findings@; the exit status is 1 if there are any.
 module Main (main) where
 
 import Control.Exception (SomeException, evaluate, try)
 import Control.Monad (filterM, foldM, unless, when)
-import Data.Bits (popCount, setBit, shiftL, testBit, (.|.))
+import Data.Bits (popCount, setBit, testBit)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Chars
 import Data.ByteString (ByteString)
@@ -76,8 +76,8 @@ fuzz seconds gen out given = do
   let new = V.toList (V.drop (V.length (foundInputs start)) (foundInputs found))
   mapM_ (uncurry (written (out </> "corpus"))) [(input, "") | input <- new]
   mapM_ (uncurry (written (out </> "findings"))) (foundFailing found)
-  putStrLn (show done <> " files in " <> show (round (ended - begun) :: Int) <> " s; " <> show boxes <> " boxes, of which "
-    <> show reached <> " counts were reached by the given files and " <> show after <> " at the end; "
+  putStrLn (show done <> " files in " <> show (round (ended - begun) :: Int) <> " s; " <> show boxes
+    <> " boxes, of which " <> show reached <> " counts were reached by the given files and " <> show after <> " at the end; "
     <> show (length new) <> " new files, " <> show (length (foundFailing found)) <> " findings.")
   unless (null (foundFailing found)) exitFailure
 
@@ -169,11 +169,13 @@ mutant inputs g0 = (Input (inputEnding input) (Bytes.take 20000 bytes), g3)
       1 -> (spliced b at 0 (tokens V.! (r `mod` V.length tokens)), g'')
       2 -> (spliced b at r Bytes.empty, g'')
       3 -> (spliced b at 0 (Bytes.take r (Bytes.drop at b)), g'')
-      4 -> let (o, g3') = other g'' in (Bytes.take at b <> Bytes.drop (Bytes.length o * at `div` (Bytes.length b + 1)) o, g3')
+      4 ->
+        let (o, g3') = other g''
+         in (Bytes.take at b <> Bytes.drop (Bytes.length o * at `div` (Bytes.length b + 1)) o, g3')
       5 -> (onNumber (const (extremes V.! (r `mod` V.length extremes))), g'')
       -- Equal numbers make corners and lines fall together.
       6 -> (onNumber (const (numberAt (r * Bytes.length b `div` 64))), g'')
-      7 -> (onNumber (\n -> Chars.pack (show (either (const 0) id (whole n) + fromIntegral (r `mod` 5) - 2 :: Integer))), g'')
+      7 -> (onNumber (\n -> Chars.pack (show (whole n + fromIntegral (r `mod` 5) - 2))), g'')
       _ -> (spliced b at (Bytes.length (tokens V.! 0)) (tokens V.! (r `mod` V.length tokens)), g'')
       where
         (at, g') = below (Bytes.length b + 1) g
@@ -186,7 +188,7 @@ mutant inputs g0 = (Input (inputEnding input) (Bytes.take 20000 bytes), g3)
         numberFrom p =
           let from = p + Chars.length (Chars.takeWhile (not . isDigit) (Bytes.drop p b))
            in (from, Chars.length (Chars.takeWhile isDigit (Bytes.drop from b)))
-    whole n = maybe (Left ()) (Right . fst) (Chars.readInteger n)
+    whole n = maybe 0 fst (Chars.readInteger n)
     spliced b at size new = Bytes.take at b <> new <> Bytes.drop (at + size) b
     below :: Int -> SMGen -> (Int, SMGen)
     below n g = let (w, g') = bitmaskWithRejection64 (fromIntegral (max 1 n)) g in (fromIntegral w, g')
@@ -202,11 +204,13 @@ tokens = V.fromList (map Chars.pack
 extremes :: V.Vector ByteString
 extremes = V.fromList (map Chars.pack
   [ "0", "1", "-1", "2147483647", "2147483648", "4294967296", "9223372036854775807", "9223372036854775808"
-  , "18446744073709551616", "1e400", "1e-400", "1e401", "\"1/3\"", "\"-7/00\"", replicate 300 '9', "0.1", "1e22", "-0" ])
+  , "18446744073709551616", "1e400", "1e-400", "1e401", "\"1/3\"", "\"-7/00\"", replicate 300 '9', "0.1", "1e22"
+  , "-0" ])
 
 written :: FilePath -> Input -> String -> IO ()
 written folder (Input ending bytes) reason = do
   createDirectoryIfMissing True folder
-  let name = folder </> showHex (Bytes.foldl' (\h c -> (h * 31 + fromIntegral c) `mod` (1 `shiftL` 32 .|. 15)) 7 bytes :: Integer) "" <.> drop 1 ending
+  let digest = Bytes.foldl' (\h c -> (h * 31 + fromIntegral c) `mod` 4294967311) 7 bytes :: Integer
+      name = folder </> showHex digest "" <.> drop 1 ending
   Bytes.writeFile name bytes
   when (reason /= "") $ putStrLn (name <> ": " <> reason)

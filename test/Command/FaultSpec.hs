@@ -198,5 +198,6 @@ without names = filter ((`notElem` names) . fst)
 limited :: String -> [String] -> IO (Int, String)
 limited limit arguments = do
   exe <- executable
-  (code, _, err) <- readProcessWithExitCode "bash" (["-c", "ulimit " <> limit <> "; exec \"$@\"", "bash", exe] <> arguments) ""
+  let script = "ulimit " <> limit <> "; exec \"$@\""
+  (code, _, err) <- readProcessWithExitCode "bash" (["-c", script, "bash", exe] <> arguments) ""
   pure (case code of ExitSuccess -> 0; ExitFailure n -> n, err)

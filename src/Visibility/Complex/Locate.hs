@@ -140,7 +140,9 @@ solidAt scene point@(Point x _) = case filter holds (scenePolygons scene) of
   [] -> Enclosure
   where
     holds polygon =
-      polygonId polygon /= Enclosure && polygonForm polygon == Ring && (isOnBoundary point polygon || isInside (ways polygon))
+      polygonId polygon /= Enclosure
+        && polygonForm polygon == Ring
+        && (isOnBoundary point polygon || isInside (ways polygon))
     isInside around = odd (length (filter isAbove around))
     -- Does the vertical ray upwards from the point meet a side?
     isAbove (a@(Point ax _), b@(Point bx _)) = (ax <= x) /= (bx <= x) && (aside point a b > 0) == (ax > bx)

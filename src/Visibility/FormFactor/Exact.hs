@@ -219,8 +219,8 @@ groupSums scene terms groups = case pointPlaces (scenePoints scene) of
 -- | A distance on the lattice: a multiple of a root, the factor a fraction.
 data Distance = Distance !Integer !Integer !(PreparedRoot Integer)
 
--- | The distance between two corners in lengths of the primitive lattice vector along their line: between whole points it
--- is an integer multiple of one root.
+-- | The distance between two corners in lengths of the primitive lattice vector along their line: between whole points
+-- it is an integer multiple of one root.
 largeDistance :: V.Vector LatticePoint -> (Int, Int) -> Distance
 largeDistance points (a, b) = let (n, root) = inPrimitives x y in Distance n w root
   where

@@ -42,7 +42,8 @@ faceLaws =
       \other one, goes on over the end of the half turn. In a room all faces are bounded."
       $ \complex ->
         let outer = [f | f <- faceIds complex, isNothing (faceFirst complex f) || isNothing (faceLast complex f)]
-         in [ show (length outer) <> " faces are not bounded: " <> show outer | length outer /= length (outerFace complex)]
+            count = length outer
+         in [show count <> " faces are not bounded: " <> show outer | count /= length (outerFace complex)]
               <> [faceLabel complex f <> ": " <> fault | FaceId f <- outer, fault <- outerChain complex (FaceId f)]
   , lawOf
       "an elementary pair begins one face and ends one"
