@@ -72,9 +72,10 @@ spec = do
       grow "the stretches that are verified" checked $ \s ->
         let complex = complexOf s in if null (violations complex) then Just (length (stretchIds complex)) else Nothing
       grow "the bytes of the complex" checked $ Just . written . complexDocument . complexOf
-      grow "the pairs of the mesh" checked $ \s ->
+      -- A break point is written in about 100 bytes, and in more where it has many digits.
+      grow "the pairs that are swept and the break points, by their digits" checked $ \s ->
         let mesh = discontinuityMesh s (vertices s)
-         in written (meshDocument mesh mesh) `seq` Just (pairsOf s (vertices s))
+         in Just (pairsOf s (vertices s) + written (meshDocument mesh mesh) `div` 100)
       grow "the cells of the matrix" summed $ \(Summed s sums) ->
         let factors = nearestFactors s sums
          in drawn (matrixDrawing (factorMatrix s factors)) `seq` Just (sum (map (length . rowFactors) factors))
