@@ -10,7 +10,6 @@ import Control.Exception (evaluate)
 import Data.Foldable (for_)
 import Data.Int (Int64)
 import Data.IORef (newIORef, readIORef)
-import qualified Data.Map.Strict as Map
 import Data.ByteString.Builder (Builder, toLazyByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Text as Text
@@ -24,7 +23,6 @@ import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Matrix (factorMatrix, matrixDrawing)
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.Scene (sceneDrawing)
-import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor
@@ -37,13 +35,14 @@ import Visibility.Scene.Family (Family (Grid, Random), Seed (..), family, size)
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
+import Visibility.Test.Adversary
 import Visibility.View (events)
 
 spec :: Spec
 spec = do
   describe "bytes allocated, on squares in a row" $
     it "grow in proportion to the pairs of the topological sweep, most of which are on two lines" $
-      growth inARow checked (\s -> Just (pairsOf s (vertices s))) >>= shouldBeSlow
+      growth (Just . adversary Row) checked (\s -> Just (pairsOf s (vertices s))) >>= shouldBeSlow
   for_ [Random, Grid] $ \kind ->
     describe ("bytes allocated, on scenes of the family " <> show kind) $ do
       let grow name prepare work =
@@ -66,9 +65,10 @@ spec = do
         Just (breakCount (discontinuityMesh s (vertices s)))
       grow "its elements" checked $ \s ->
         Just (length (refinedElements (refined (discontinuityMesh s (vertices s)))))
-  for_ adversaries $ \(name, scenes) ->
-    describe ("bytes allocated, on " <> name) $ do
-      let grow what prepare work = it ("grow in proportion to " <> what) (growth scenes prepare work >>= shouldBeSlow)
+  for_ adversaries $ \kind ->
+    describe ("bytes allocated, on scenes of the kind " <> adversaryName kind) $ do
+      let grow what prepare work =
+            it ("grow in proportion to " <> what) (growth (Just . adversary kind) prepare work >>= shouldBeSlow)
       grow "the stretches that are verified" checked $ \s ->
         let complex = complexOf s in if null (violations complex) then Just (length (stretchIds complex)) else Nothing
       grow "the bytes of the complex" checked $ Just . written . complexDocument . complexOf
@@ -86,44 +86,13 @@ spec = do
       growth (\n -> named (100 * n) <$> scenesOf Random 2) checked namedFigure
         >>= shouldBeSlow
   where
-    adversaries = [("a convex room", Just . convexRoom), ("a star", Just . star), ("a fan of needles", Just . fan)]
+    adversaries = [ConvexRoom, Star, NeedleFan]
     written = fromIntegral . Lazy.length . toLazyByteString :: Builder -> Int
     drawn = fromIntegral . Lazy.length . renderSvg :: Drawing -> Int
     namedFigure s = drawn (sceneDrawing s (vertices s)) `seq` (Text.length <$> sceneTitle s)
     named n raw = raw {rawName = Just (Text.replicate n (Text.pack "x"))}
     pairsOf s = sum . map (length . vertexPairs s)
     scenesOf kind n = alight . (\k -> family kind k (Seed 1)) <$> size n
-    inARow n = Just (RawScene Nothing Nothing [rawPolygon (square (fromIntegral (2 * k))) | k <- [1 .. n]])
-    square x = [Point x 0, Point (x + 1) 0, Point (x + 1) 1, Point x 1]
-
--- | A room with so many corners, all of which see each other.
-convexRoom :: Int -> RawScene
-convexRoom n = RawScene Nothing (Just (rawPolygon [Point (whole k) (whole (k * k)) | k <- [0 .. n - 1]])) []
-  where
-    whole = fromIntegral
-
--- | A polygon with so many points on a circle, and a corner near its middle between any two.
-star :: Int -> RawScene
-star n =
-  RawScene Nothing Nothing $
-    [rawPolygon (concat [[onCircle 10 (k / m), onCircle 3 ((k + 0.5) / m)] | k <- [0 .. m - 1]])]
-  where
-    m = fromIntegral n
-
--- | So many needles that point to one place.
-fan :: Int -> RawScene
-fan n =
-  RawScene Nothing Nothing $
-    [rawPolygon [onCircle 1 (k / m), onCircle 10 (k / m), onCircle 10 ((k + 0.25) / m)] | k <- [0 .. m - 1]]
-  where
-    m = fromIntegral n
-
--- | A point near a circle around (0, 0), its radius in millions, by a part of half of it.
-onCircle :: Rational -> Rational -> Point
-onCircle r part = Point (near (r * (1 - t * t) / (1 + t * t))) (near (r * 2 * t / (1 + t * t)))
-  where
-    t = 2 * part - 1
-    near x = fromInteger (round (1000000 * x))
 
 -- | A scene with its measures.
 data Summed = Summed !Scene !Measures
@@ -168,9 +137,3 @@ allocation argument work = do
   finished <- getAllocationCounter
   -- It counts downwards.
   pure (begun - finished, result)
-
--- | The first polygon shines, and all reflect half of the light.
-alight :: RawScene -> RawScene
-alight raw = raw {rawPolygons = zipWith shining (1 : repeat 0) (rawPolygons raw)}
-  where
-    shining emitted polygon = described (rawPolygonName polygon) polygon (Material emitted (1 / 2)) Map.empty
