@@ -9,7 +9,7 @@ export BUILDDIR ?= dist-newstyle
 export CABAL_FLAGS ?=
 # the scenes that `demo` runs, or for `soak`, how many random ones;
 SCENES ?= $(sort $(wildcard scenes/*.json scenes/*.geojson scenes/*.wkt))
-# the seed of `test`, which is otherwise a fixed one, and of `soak` and `fuzz`, which is otherwise a random one;
+# the seed of `test` and `mutants`, otherwise a fixed one, and of `soak` and `fuzz`, otherwise a random one;
 SEED ?=
 # the QuickCheck cases of each property of `test` at -O0;
 export O0_CASES ?=
@@ -61,6 +61,12 @@ soak: setup ## the sweeps against brute force on SCENES=1000000 random scenes, i
 fuzz: MINUTES = 10
 fuzz: setup ## change the files of test/corpus at random for MINUTES=10, looking for one that is treated wrongly
 	@tools/fuzz.sh $(MINUTES) $(SEED)
+
+.PHONY: mutants
+mutants: COUNT = 30
+mutants: GROUPS = predicates roots sweep boundary
+mutants: setup ## COUNT=30 small faults in each of GROUPS="roots sweep …", looking for one that no test notices
+	@tools/mutants.sh $(COUNT) $(or $(SEED),1) $(GROUPS)
 
 .PHONY: bench
 bench: build ## time and space of the parts and of whole commands, beside bench/baseline
