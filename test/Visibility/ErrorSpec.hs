@@ -4,7 +4,7 @@ import Control.Monad (forM)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_, toList)
-import Data.List (sort)
+import Data.List (isPrefixOf, nub, sort, stripPrefix, tails)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Set as Set
 import qualified Data.Text as Text
@@ -35,8 +35,19 @@ spec = do
     it "has no expectation without a scene" $
       sort (filter ((== ".txt") . takeExtension) files) `shouldBe` sort (map (`replaceExtension` ".txt") scenes)
     it "shows every kind of problem" $ do
-      problems <- concat <$> forM scenes problemsOf
-      Set.fromList (concatMap kinds problems) `shouldBe` Set.fromList allKinds
+      shown <- concatMap kinds . concat <$> forM scenes problemsOf
+      Set.fromList (filter (not . isOfItsPlace) shown) `shouldBe` Set.fromList allKinds
+    it "shows everything that may be expected or wanted in a place" $ do
+      shown <- concatMap kinds . concat <$> forM scenes problemsOf
+      readers <- map ("src/Visibility/Format" </>) <$> listDirectory "src/Visibility/Format"
+      more <- map ("src/Visibility/Format/Json" </>) <$> listDirectory "src/Visibility/Format/Json"
+      sources <- mapM readUtf8 ("src/Visibility/Error/Parse.hs" : filter ((== ".hs") . takeExtension) (readers <> more))
+      let expected = [text | Syntax (KUnexpected (Expected text)) <- shown]
+          wanted = [text | Shape (KWrongKind (Wanted text)) <- shown]
+      (length . nub) (concatMap (stated "Expected") sources) `shouldSatisfy` (> 15)
+      (length . nub) (concatMap (stated "Wanted") sources) `shouldSatisfy` (> 20)
+      [text | text <- concatMap (stated "Expected") sources, not (any (text `isPrefixOf`) expected)] `shouldBe` []
+      [text | text <- concatMap (stated "Wanted") sources, not (any (text `isPrefixOf`) wanted)] `shouldBe` []
   describe "errorText of files that cannot be read" $ do
     it "names the file" $ do
       errorText (UnreadableFile "a.json" NoSuchFile)
@@ -123,8 +134,8 @@ data PlaceKind = AtPolygon | AtSide
 
 allKinds :: [Kind]
 allKinds =
-  map Syntax (map KUnexpected [minBound .. maxBound] <> [KControl, KUtf8, KDeep])
-    <> map Shape (map KWrongKind [minBound .. maxBound] <> map KNumber [minBound .. maxBound])
+  map Syntax [KControl, KUtf8, KDeep]
+    <> map (Shape . KNumber) [minBound .. maxBound]
     <> map Shape [KMissing, KClash, KUnknown, KTwice, KSideKey, KEnclosureHole, KEnclosureWall, KSecondEnclosure]
     <> map (Shape . KOutline) [minBound .. maxBound]
     <> map Syntax (map KWord [minBound .. maxBound] <> map KGeometry [minBound .. maxBound])
@@ -137,6 +148,25 @@ allKinds =
           <> map KEmission [minBound .. maxBound]
           <> map KReflectivity [minBound .. maxBound]
       )
+
+-- | Of these there are as many kinds as places where something is expected or wanted.
+isOfItsPlace :: Kind -> Bool
+isOfItsPlace kind = case kind of
+  Syntax (KUnexpected _) -> True
+  Shape (KWrongKind _) -> True
+  _ -> False
+
+-- | The texts, or their beginnings, that a constructor is applied to in a source.
+stated :: String -> String -> [String]
+stated name source =
+  [ text
+  | rest <- tails source
+  , Just argument <- [stripPrefix (name <> " ") rest]
+  , (text, _) <- reads (dropWhile (== '(') argument)
+  ]
+
+readUtf8 :: FilePath -> IO String
+readUtf8 file = Text.unpack . Text.decodeUtf8 <$> Bytes.readFile file
 
 kinds :: Problem -> [Kind]
 kinds problem = case problem of

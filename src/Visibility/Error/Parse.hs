@@ -8,6 +8,7 @@ module Visibility.Error.Parse
   , ShapeFault (..)
   , OutlineFault (..)
   , Wanted (..)
+  , aNumber
   , parseErrorText
   , quoted
   , shortened
@@ -48,27 +49,9 @@ data SyntaxFault
     TooDeep !Int
   deriving (Eq, Ord, Show)
 
--- | What JSON, or from 'AGeometry' on WKT, allows at a place.
-data Expected
-  = AValue
-  | AKey
-  | AKeyOrClosingBrace
-  | AColon
-  | CommaOrClosingBrace
-  | CommaOrClosingBracket
-  | ADigit
-  | -- | After a leading zero.
-    NoDigit
-  | ClosingQuote
-  | AnEscape
-  | AHexDigit
-  | TheEnd
-  | AGeometry
-  | OpeningOrEmpty
-  | ACoordinate
-  | CommaOrClosing
-  | TheLineEnd
-  deriving (Eq, Ord, Show, Enum, Bounded)
+-- | What JSON or WKT allows at a place, in words.
+newtype Expected = Expected String
+  deriving (Eq, Ord, Show)
 
 -- | Where in a JSON document.
 data JsonPath = Root | Key !JsonPath !Text | Item !JsonPath !Int
@@ -108,36 +91,12 @@ data OutlineFault
     Hole
   deriving (Eq, Ord, Show)
 
--- | What belongs in a place of a scene.
-data Wanted
-  = WantedScene
-  | WantedFormat
-  | WantedString
-  | WantedEnclosure
-  | WantedPolygon
-  | WantedPolygons
-  | WantedCorners
-  | WantedCorner
-  | WantedNumber
-  | WantedSides
-  | WantedMaterial
-  | -- | From here on, what belongs in GeoJSON.
-    WantedGeoJson
-  | WantedGeoJsonType
-  | WantedFeatures
-  | WantedFeature
-  | WantedFeatureType
-  | WantedProperties
-  | WantedRole
-  | WantedGeometry
-  | WantedGeometryType
-  | WantedGeometries
-  | WantedPolygonRings
-  | WantedRings
-  | WantedLines
-  | WantedPositions
-  | WantedPosition
-  deriving (Eq, Ord, Show, Enum, Bounded)
+-- | What belongs in a place of a scene, in words.
+newtype Wanted = Wanted String
+  deriving (Eq, Ord, Show)
+
+aNumber :: Wanted
+aNumber = Wanted "a number such as 2, -0.5 or 1e-3, or a string such as \"1/3\", \"-2.5\" or \"7\""
 
 -- | The text of an error without the file, one line.
 parseErrorText :: ParseError -> String
@@ -149,10 +108,10 @@ parseErrorText fault = case fault of
 
 syntaxText :: SyntaxFault -> String
 syntaxText fault = case fault of
-  Unexpected found expected ->
-    "found " <> maybe "the end of the text" characterText found <> "; " <> expectedText expected
-  UnexpectedWord found expected ->
-    "found " <> maybe "the end of the line" quoted found <> "; " <> expectedText expected
+  Unexpected found (Expected expected) ->
+    "found " <> maybe "the end of the text" characterText found <> "; " <> expected
+  UnexpectedWord found (Expected expected) ->
+    "found " <> maybe "the end of the line" quoted found <> "; " <> expected
   BadWord spelled why -> quoted spelled <> numberFaultText why
   BadGeometry why -> outlineText why
   ControlCharacter c -> "found " <> characterText c <> " inside a string; spell it as an escape"
@@ -169,26 +128,6 @@ codeText c = replicate (4 - length digits) '0' <> digits
   where
     digits = showHex (ord c) ""
 
-expectedText :: Expected -> String
-expectedText expected = case expected of
-  AValue -> "a value belongs here"
-  AKey -> "a key in double quotes belongs here"
-  AKeyOrClosingBrace -> "a key in double quotes or } belongs here"
-  AColon -> ": belongs here"
-  CommaOrClosingBrace -> ", or } belongs here"
-  CommaOrClosingBracket -> ", or ] belongs here"
-  ADigit -> "a digit belongs here"
-  NoDigit -> "leave out the zero that the number begins with"
-  ClosingQuote -> "a closing \" belongs here"
-  AnEscape -> "one of \" \\ / b f n r t u belongs here"
-  AHexDigit -> "four hexadecimal digits belong here"
-  TheEnd -> "nothing may follow the scene"
-  AGeometry -> "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here"
-  OpeningOrEmpty -> "( or EMPTY belongs here"
-  ACoordinate -> "a number belongs here, two for each position"
-  CommaOrClosing -> ", or ) belongs here, and all of a geometry on one line"
-  TheLineEnd -> "nothing may follow the geometry, give each a line of its own"
-
 -- | @$.polygons[2].corners[0]@; a key that is no plain word stands in brackets and quotes.
 pathText :: JsonPath -> String
 pathText path = case path of
@@ -203,16 +142,16 @@ pathText path = case path of
 
 shapeText :: ShapeFault -> String
 shapeText fault = case fault of
-  WrongKind found wanted -> "found " <> found <> "; give " <> wantedText wanted
-  MissingKey (key :| []) wanted -> "has no " <> quoted key <> "; give " <> wantedText wanted
-  MissingKey keys wanted ->
-    "has neither " <> intercalate " nor " (map quoted (toList keys)) <> "; give one of them, " <> wantedText wanted
+  WrongKind found (Wanted wanted) -> "found " <> found <> "; give " <> wanted
+  MissingKey (key :| []) (Wanted wanted) -> "has no " <> quoted key <> "; give " <> wanted
+  MissingKey keys (Wanted wanted) ->
+    "has neither " <> intercalate " nor " (map quoted (toList keys)) <> "; give one of them, " <> wanted
   ClashingKeys key other -> "has both " <> quoted key <> " and " <> quoted other <> "; give one of them"
   UnknownKey key allowed ->
     "unknown key " <> quoted key <> "; allowed are " <> intercalate ", " (map Text.unpack allowed)
   DuplicateKey key -> "key " <> quoted key <> " is given more than once; give it once"
   BadSideKey key -> quoted key <> " is not a side number; give a number such as \"0\""
-  BadNumber found NotANumber -> found <> " is not a number; give " <> wantedText WantedNumber
+  BadNumber found NotANumber -> let Wanted wanted = aNumber in found <> " is not a number; give " <> wanted
   BadNumber found why -> found <> numberFaultText why
   BadOutline why -> outlineText why
   EnclosureHole -> "is a hole of the enclosure; leave it out, and give what stands there as a polygon of its own"
@@ -243,38 +182,6 @@ numberFaultText why = case why of
   ExponentTooLarge ->
     let limit = show exponentLimit
      in " has too large an exponent; give one from -" <> limit <> " to " <> limit
-
-wantedText :: Wanted -> String
-wantedText wanted = case wanted of
-  WantedScene -> "an object with the key \"polygons\""
-  WantedFormat -> "\"viscomplex/1\""
-  WantedString -> "a string"
-  WantedEnclosure -> "an object with the key \"corners\", or just the list of corners"
-  WantedPolygon -> "an object with the key \"corners\" or \"wall\", or just the list of corners"
-  WantedPolygons -> "a list of polygons"
-  WantedCorners -> "a list of corners [x, y]"
-  WantedCorner -> "a list of two numbers [x, y]"
-  WantedNumber -> "a number such as 2, -0.5 or 1e-3, or a string such as \"1/3\", \"-2.5\" or \"7\""
-  WantedSides -> "an object with side numbers as keys"
-  WantedMaterial -> "an object with the keys \"emission\", \"reflectivity\" or both"
-  WantedGeoJson -> "an object with a \"type\": a FeatureCollection, a Feature or a geometry"
-  WantedGeoJsonType -> "\"FeatureCollection\", \"Feature\", " <> geometryTypes
-  WantedFeatures -> "a list of features"
-  WantedFeature -> "an object of the type \"Feature\""
-  WantedFeatureType -> "\"Feature\""
-  WantedProperties -> "an object or null"
-  WantedRole -> "\"enclosure\", or leave it out"
-  WantedGeometry -> "an object of the type " <> geometryTypes
-  WantedGeometryType -> geometryTypes
-  WantedGeometries -> "a list of geometries"
-  WantedPolygonRings -> "a list of polygons, each a list of rings of positions [x, y]"
-  WantedRings -> "a list of rings, each a list of positions [x, y]"
-  WantedLines -> "a list of lines, each a list of positions [x, y]"
-  WantedPositions -> "a list of positions [x, y]"
-  WantedPosition -> "a list of two numbers [x, y], or more of which these two count"
-  where
-    geometryTypes =
-      "\"Polygon\", \"MultiPolygon\", \"LineString\", \"MultiLineString\" or \"GeometryCollection\""
 
 -- | In double quotes, on one line, of a length that can be read.
 quoted :: Text -> String

@@ -37,16 +37,17 @@ readGeoJson = readDocument sceneAt
 
 sceneAt :: JsonPath -> Document -> Checked RawScene
 sceneAt path document = case value document of
-  Object members -> assembled name (ofType path members WantedGeoJsonType (topLevel members))
+  Object members -> assembled name (ofType path members anyType (topLevel members))
     where
       name = case (stated "type", stated "name") of
         (Just (String "FeatureCollection"), Just (String text)) -> Just text
         _ -> Nothing
       stated key = value <$> lookup key members
-  other -> wrongKind path other WantedGeoJson
+  other -> wrongKind path other (Wanted "an object with a \"type\": a FeatureCollection, a Feature or a geometry")
   where
+    anyType = Wanted ("\"FeatureCollection\", \"Feature\", " <> geometryTypes)
     topLevel members kind = case kind of
-      "FeatureCollection" -> Just (needed path members "features" WantedFeatures features)
+      "FeatureCollection" -> Just (needed path members "features" (Wanted "a list of features") features)
       "Feature" -> Just (feature path members)
       _ -> geometryOfType plain path members kind
 
@@ -108,15 +109,15 @@ eachPart wanted parts path document = case value document of
 -- Features --------------------------------------------------------------------------------------------------------
 
 features :: JsonPath -> Document -> [Part]
-features = eachPart WantedFeatures featureAt
+features = eachPart (Wanted "a list of features") featureAt
   where
     featureAt path document = case value document of
-      Object members -> ofType path members WantedFeatureType (ofFeature path members)
-      other -> faulty (wrongKind path other WantedFeature)
+      Object members -> ofType path members (Wanted "\"Feature\"") (ofFeature path members)
+      other -> faulty (wrongKind path other (Wanted "an object of the type \"Feature\""))
     ofFeature path members kind = if kind == "Feature" then Just (feature path members) else Nothing
 
 feature :: JsonPath -> [(Text, Document)] -> [Part]
-feature path members = once path members ["properties"] <> faults <> needed path members "geometry" WantedGeometry shape
+feature path members = once path members ["properties"] <> faults <> needed path members "geometry" aGeometry shape
   where
     (faults, properties) = maybe ([], plain) (uncurry propertiesAt) (memberOf path members "properties")
     shape at document = case value document of
@@ -152,35 +153,42 @@ propertiesAt path document = case value document of
                   (rawSides polygon)
               Wrong _ -> id
           }
-  other -> (faulty (wrongKind path other WantedProperties), plain)
+  other -> (faulty (wrongKind path other (Wanted "an object or null")), plain)
 
 roleAt :: JsonPath -> Document -> Checked Role
 roleAt path document = case value document of
   String "enclosure" -> Good Enclosing
-  other -> wrongKind path other WantedRole
+  other -> wrongKind path other (Wanted "\"enclosure\", or leave it out")
 
 -- Geometry --------------------------------------------------------------------------------------------------------
 
 geometry :: Properties -> JsonPath -> Document -> [Part]
 geometry properties path document = case value document of
-  Object members -> ofType path members WantedGeometryType (geometryOfType properties path members)
-  other -> faulty (wrongKind path other WantedGeometry)
+  Object members -> ofType path members (Wanted geometryTypes) (geometryOfType properties path members)
+  other -> faulty (wrongKind path other aGeometry)
 
 geometryOfType :: Properties -> JsonPath -> [(Text, Document)] -> Text -> Maybe [Part]
 geometryOfType properties path members kind = case kind of
-  "Polygon" -> Just (coordinates WantedRings polygon)
-  "MultiPolygon" -> Just (coordinates WantedPolygonRings (eachPart WantedPolygonRings polygon))
-  "LineString" -> Just (coordinates WantedPositions line)
-  "MultiLineString" -> Just (coordinates WantedLines (eachPart WantedLines line))
-  "GeometryCollection" -> Just (needed path members "geometries" WantedGeometries geometries)
+  "Polygon" -> Just (coordinates (Wanted "a list of rings, each a list of positions [x, y]") polygon)
+  "MultiPolygon" -> Just (lists (Wanted "a list of polygons, each a list of rings of positions [x, y]") polygon)
+  "LineString" -> Just (coordinates (Wanted "a list of positions [x, y]") line)
+  "MultiLineString" -> Just (lists (Wanted "a list of lines, each a list of positions [x, y]") line)
+  "GeometryCollection" -> Just (needed path members "geometries" (Wanted "a list of geometries") geometries)
   _ -> Nothing
   where
-    geometries = eachPart WantedGeometries (geometry properties)
+    geometries = eachPart (Wanted "a list of geometries") (geometry properties)
+    lists wanted parts = coordinates wanted (eachPart wanted parts)
     coordinates wanted parts = needed path members "coordinates" wanted (unlessEmpty parts)
     polygon = unlessEmpty (shape polygonAt)
     line = unlessEmpty (shape lineAt)
     shape outline at document =
       [Shape at (role properties) (given properties <$> outline (role properties) at document)]
+
+geometryTypes :: String
+geometryTypes = "\"Polygon\", \"MultiPolygon\", \"LineString\", \"MultiLineString\" or \"GeometryCollection\""
+
+aGeometry :: Wanted
+aGeometry = Wanted ("an object of the type " <> geometryTypes)
 
 -- Empty coordinates stand for no geometry (RFC 7946, 3.1).
 unlessEmpty :: (JsonPath -> Document -> [Part]) -> JsonPath -> Document -> [Part]
@@ -193,7 +201,7 @@ polygonAt as path document = case value document of
   List (outer : holes) ->
     outlineAt ringPolygon (Item path 0) outer
       <* traverse_ (\k -> wrong (Item path k) hole) (zipWith const [1 ..] holes)
-  other -> wrongKind path other WantedRings
+  other -> wrongKind path other (Wanted "a list of rings, each a list of positions [x, y]")
   where
     hole = case as of
       Standing -> BadOutline Hole
@@ -205,10 +213,11 @@ lineAt Enclosing path document = outlineAt lineWall path document <* wrong path 
 
 outlineAt :: ([Point] -> Either OutlineFault RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
 outlineAt outline path document =
-  listOf WantedPositions positionAt path document `andThen` (either (wrong path . BadOutline) Good . outline)
+  listOf (Wanted "a list of positions [x, y]") positionAt path document
+    `andThen` (either (wrong path . BadOutline) Good . outline)
 
 -- What stands behind x and y, an altitude as a rule, has no meaning in the plane.
 positionAt :: JsonPath -> Document -> Checked Point
 positionAt path document = case value document of
   List (x : y : _) -> Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
-  other -> wrongKind path other WantedPosition
+  other -> wrongKind path other (Wanted "a list of two numbers [x, y], or more of which these two count")

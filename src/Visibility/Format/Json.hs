@@ -50,21 +50,25 @@ sceneAt path document = case value document of
                 <$> traverse (uncurry stringAt) (member "name")
                 <*> traverse (uncurry enclosureAt) (member "enclosure")
                 <*> maybe
-                  (wrong path (MissingKey ("polygons" :| []) WantedPolygons))
-                  (uncurry (listOf WantedPolygons polygonAt))
+                  (wrong path (MissingKey ("polygons" :| []) (Wanted "a list of polygons")))
+                  (uncurry (listOf (Wanted "a list of polygons") polygonAt))
                   (member "polygons")
              )
-  other -> wrongKind path other WantedScene
+  other -> wrongKind path other (Wanted "an object with the key \"polygons\"")
 
 formatAt :: JsonPath -> Document -> Checked ()
 formatAt path document = case value document of
   String "viscomplex/1" -> Good ()
-  other -> wrongKind path other WantedFormat
+  other -> wrongKind path other (Wanted "\"viscomplex/1\"")
 
 -- | An enclosure has corners only; an obstacle may be stated as a wall instead.
 enclosureAt, polygonAt :: JsonPath -> Document -> Checked RawPolygon
-enclosureAt = shapeAt WantedEnclosure (("corners", rawPolygon) :| [])
-polygonAt = shapeAt WantedPolygon (("corners", rawPolygon) :| [("wall", rawWall)])
+enclosureAt =
+  shapeAt (Wanted "an object with the key \"corners\", or just the list of corners") (("corners", rawPolygon) :| [])
+polygonAt =
+  shapeAt
+    (Wanted "an object with the key \"corners\" or \"wall\", or just the list of corners")
+    (("corners", rawPolygon) :| [("wall", rawWall)])
 
 -- | A polygon that gives its corners under one of these keys, which say how they are joined; or a list of corners.
 shapeAt :: Wanted -> NonEmpty (Text, [Point] -> RawPolygon) -> JsonPath -> Document -> Checked RawPolygon
@@ -77,7 +81,7 @@ shapeAt wanted forms path document = case value document of
           *> ( described
                 <$> traverse (uncurry stringAt) (member "name")
                 <*> case given of
-                  [] -> wrong path (MissingKey (fmap fst forms) WantedCorners)
+                  [] -> wrong path (MissingKey (fmap fst forms) (Wanted "a list of corners [x, y]"))
                   [(_, polygon)] -> polygon
                   (key, polygon) : (other, polygon') : _ -> wrong path (ClashingKeys key other) *> polygon <* polygon'
                 <*> ( Material
@@ -88,17 +92,17 @@ shapeAt wanted forms path document = case value document of
              )
   other -> wrongKind path other wanted
   where
-    cornersAt = listOf WantedCorners cornerAt
+    cornersAt = listOf (Wanted "a list of corners [x, y]") cornerAt
 
 cornerAt :: JsonPath -> Document -> Checked Point
 cornerAt path document = case value document of
   List [x, y] -> Point <$> numberAt (Item path 0) x <*> numberAt (Item path 1) y
-  other -> wrongKind path other WantedCorner
+  other -> wrongKind path other (Wanted "a list of two numbers [x, y]")
 
 sidesAt :: JsonPath -> Document -> Checked (Map.Map Int MaterialOverride)
 sidesAt path document = case value document of
   Object members -> Map.fromList <$> (checkedTwins path members *> traverse side members)
-  other -> wrongKind path other WantedSides
+  other -> wrongKind path other (Wanted "an object with side numbers as keys")
   where
     side (key, override) =
       (,)
@@ -118,7 +122,7 @@ overrideAt path document = case value document of
                 <$> traverse (uncurry numberAt) (member "emission")
                 <*> traverse (uncurry numberAt) (member "reflectivity")
              )
-  other -> wrongKind path other WantedMaterial
+  other -> wrongKind path other (Wanted "an object with the keys \"emission\", \"reflectivity\" or both")
 
 -- Writing ---------------------------------------------------------------------------------------------------------
 

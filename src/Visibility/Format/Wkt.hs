@@ -100,12 +100,15 @@ geometry input = case input of
     "MULTIPOLYGON" -> whole (each polygons) (group (group (group position))) rest
     "LINESTRING" -> whole walls (group position) rest
     "MULTILINESTRING" -> whole (each walls) (group (group position)) rest
-    _ -> stop AGeometry input
-  [] -> stop AGeometry input
+    _ -> noGeometry
+  [] -> noGeometry
   where
+    noGeometry = stop (Expected "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here") input
     whole meaning body rest = do
       (found, end) <- body (withoutDimension rest)
-      if null end then Right (`meaning` found) else stop TheLineEnd end
+      if null end
+        then Right (`meaning` found)
+        else stop (Expected "nothing may follow the geometry, give each a line of its own") end
     each meaning n (Group _ parts) = concat <$> traverse (meaning n) parts
     withoutDimension rest = case rest of
       Token _ word : more | Text.toUpper word `elem` ["Z", "M", "ZM"] -> more
@@ -115,14 +118,14 @@ group :: Step a -> Step (Group a)
 group item input = case input of
   Token column "(" : rest -> items column [] rest
   Token column word : rest | Text.toUpper word == "EMPTY" -> Right (Group column [], rest)
-  _ -> stop OpeningOrEmpty input
+  _ -> stop (Expected "( or EMPTY belongs here") input
   where
     items column done rest = do
       (found, after) <- item rest
       case after of
         Token _ "," : more -> items column (found : done) more
         Token _ ")" : more -> Right (Group column (reverse (found : done)), more)
-        _ -> stop CommaOrClosing after
+        _ -> stop (Expected ", or ) belongs here, and all of a geometry on one line") after
 
 -- | The spellings of x and y.
 position :: Step (Token, Token)
@@ -132,7 +135,7 @@ position input = do
   Right ((x, y), beyond 2 afterY)
   where
     spelled (token : rest) | isWord token = Right (token, rest)
-    spelled rest = stop ACoordinate rest
+    spelled rest = stop (Expected "a number belongs here, two for each position") rest
     -- At most so many more numbers, of no meaning in the plane.
     beyond :: Int -> [Token] -> [Token]
     beyond n (token : rest) | n > 0, isWord token = beyond (n - 1) rest

@@ -70,8 +70,12 @@ spec = describe "readGeoJson" $ do
       `shouldBe` Left
         ( fmap
             (UnparseableFile "a" . uncurry ShapeError)
-            ( (Item (Item (Key Root "coordinates") 0) 0, WrongKind "a list of 1 element" WantedPosition)
-                :| [ (Item (Key Root "coordinates") 1, WrongKind "7" WantedPositions)
+            ( ( Item (Item (Key Root "coordinates") 0) 0
+              , WrongKind
+                  "a list of 1 element"
+                  (Wanted "a list of two numbers [x, y], or more of which these two count")
+              )
+                :| [ (Item (Key Root "coordinates") 1, WrongKind "7" (Wanted "a list of positions [x, y]"))
                    , (Item (Key Root "coordinates") 2, BadOutline (ShortLine 1))
                    ]
             )

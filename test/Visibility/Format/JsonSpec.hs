@@ -64,9 +64,14 @@ spec = do
           ( fmap
               (UnparseableFile "a" . uncurry ShapeError)
               ( (Root, UnknownKey "x" ["format", "name", "enclosure", "polygons"])
-                  :| [ (Item (Item (Item polygons 0) 0) 1, WrongKind "null" WantedNumber)
-                     , (Item (Item polygons 0) 1, WrongKind "a list of 1 element" WantedCorner)
-                     , (Item polygons 1, WrongKind "7" WantedPolygon)
+                  :| [ (Item (Item (Item polygons 0) 0) 1, WrongKind "null" aNumber)
+                     , ( Item (Item polygons 0) 1
+                       , WrongKind "a list of 1 element" (Wanted "a list of two numbers [x, y]")
+                       )
+                     , ( Item polygons 1
+                       , WrongKind "7" $
+                           Wanted "an object with the key \"corners\" or \"wall\", or just the list of corners"
+                       )
                      ]
               )
           )

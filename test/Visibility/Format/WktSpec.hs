@@ -21,6 +21,7 @@ import Visibility.Scene.Raw
 -- What is wrong is in test/golden/errors.
 spec :: Spec
 spec = describe "readWkt" $ do
+  let aGeometry = Expected "POLYGON, MULTIPOLYGON, LINESTRING or MULTILINESTRING belongs here"
   describe "reads each geometry" $
     for_
       [ ("POLYGON ((0 0, 1 0, 0 1, 0 0))", [triangle])
@@ -69,14 +70,14 @@ spec = describe "readWkt" $ do
           readWkt "a" bytes === Right (RawScene Nothing Nothing (map bare (rawPolygons raw)))
   it "reports faults of every line; what goes on with a geometry that ended early is not its own fault" $
     faultsOf "POINT (1 2)\nPOLYGON ((0 0, 1 0,\n 0 1,\n\n 0 0))\nLINESTRING (0 0)\n((7\n"
-      `shouldBe` [ (1, 1, UnexpectedWord (Just "POINT") AGeometry)
-                 , (2, 20, UnexpectedWord Nothing ACoordinate)
+      `shouldBe` [ (1, 1, UnexpectedWord (Just "POINT") aGeometry)
+                 , (2, 20, UnexpectedWord Nothing (Expected "a number belongs here, two for each position"))
                  , (6, 12, BadGeometry (ShortLine 1))
-                 , (7, 1, UnexpectedWord (Just "(") AGeometry)
+                 , (7, 1, UnexpectedWord (Just "(") aGeometry)
                  ]
   it "counts characters, not bytes" $
     faultsOf "\195\169 (\nLINESTRING (0 0, \195\169\195\169 1, 1/0 1e401)"
-      `shouldBe` [ (1, 1, UnexpectedWord (Just "\233") AGeometry)
+      `shouldBe` [ (1, 1, UnexpectedWord (Just "\233") aGeometry)
                  , (2, 18, BadWord "\233\233" NotANumber)
                  , (2, 24, BadWord "1/0" ZeroDenominator)
                  , (2, 28, BadWord "1e401" ExponentTooLarge)

@@ -61,14 +61,14 @@ found other = case other of
 stringAt :: JsonPath -> Document -> Checked Text
 stringAt path document = case value document of
   String text -> Good text
-  other -> wrongKind path other WantedString
+  other -> wrongKind path other (Wanted "a string")
 
 -- | A number as it is spelled, or a string that spells one.
 numberAt :: JsonPath -> Document -> Checked Rational
 numberAt path document = case value document of
   Number spelled -> number (readSpelled spelled)
   String text -> number (readNumber text)
-  other -> wrongKind path other WantedNumber
+  other -> wrongKind path other aNumber
   where
     number = either (wrong path . BadNumber (found (value document))) Good
 

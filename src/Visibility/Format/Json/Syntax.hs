@@ -22,14 +22,14 @@ module Visibility.Format.Json.Syntax
   , value
   ) where
 
-import Data.Bits (setBit, shiftL, shiftR, testBit)
+import Control.Monad (unless)
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Chars
 import Data.Char (chr, digitToInt, isDigit, isHexDigit)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Word (Word64)
 import Visibility.Error (Expected (..), SyntaxFault (..), TextPosition (..))
 import Visibility.Format.Utf8
 
@@ -46,7 +46,7 @@ data Value
   | List [Document]
   | Object [(Text, Document)]
 
--- | At most this many brackets may be open at once: a bit of a machine word for each.
+-- | At most this many brackets may be open at once.
 deepest :: Int
 deepest = 64
 
@@ -78,12 +78,15 @@ slice bytes from to = Bytes.take (to - from) (Bytes.drop from bytes)
 parseDocument :: ByteString -> Either (TextPosition, SyntaxFault) Document
 parseDocument bytes = case invalidByte bytes of
   Just position -> Left (position, InvalidUtf8)
-  Nothing -> case firstFailure bytes of
-    Just (Failure place fault) -> Left (positionOf bytes place, fault)
-    Nothing -> Right (Document bytes (skip bytes 0))
+  Nothing -> first (first (positionOf bytes)) $ do
+    end <- skip bytes <$> valueEnd bytes 0 start
+    unless (isEnd bytes end) $ unexpected (Expected "nothing may follow the scene") bytes end
+    pure (Document bytes start)
+  where
+    start = skip bytes 0
 
--- | The place of a fault, and the fault.
-data Failure = Failure !Int !SyntaxFault
+-- | The place behind a piece of the text; or the place of the first fault in it, and the fault.
+type End = Either (Int, SyntaxFault) Int
 
 -- The position of a byte.
 positionOf :: ByteString -> Int -> TextPosition
@@ -92,99 +95,76 @@ positionOf bytes place = TextPosition (1 + Chars.count '\n' before) (1 + Text.le
     before = Bytes.take place bytes
     line = Chars.takeWhileEnd (/= '\n') before
 
-unexpected :: Expected -> ByteString -> Int -> Failure
-unexpected expected bytes i = Failure i (Unexpected found expected)
+unexpected :: Expected -> ByteString -> Int -> Either (Int, SyntaxFault) a
+unexpected expected bytes i = Left (i, Unexpected found expected)
   where
     -- No character is longer.
     found = fst <$> Text.uncons (decoded (slice bytes i (i + 4)))
 
--- The first fault of syntax. A loop over the bytes: of the brackets open, it keeps the number and the kinds.
-firstFailure :: ByteString -> Maybe Failure
-firstFailure bytes = anyValue 0 0 (skip bytes 0)
+-- Behind a value, of which the first character is given, and how many brackets are open around it.
+valueEnd :: ByteString -> Int -> Int -> End
+valueEnd bytes !open !i = case charAt bytes i of
+  c | c == '{' || c == '[', open >= deepest -> Left (i, TooDeep deepest)
+  '{' -> case charAt bytes inner of
+    '}' -> Right (inner + 1)
+    '"' -> membersEnd inner
+    _ -> unexpected (Expected "a key in double quotes or } belongs here") bytes inner
+  '[' -> if charAt bytes inner == ']' then Right (inner + 1) else itemsEnd inner
+  '"' -> stringEnd bytes (i + 1)
+  't' | "true" `Bytes.isPrefixOf` Bytes.drop i bytes -> Right (i + 4)
+  'f' | "false" `Bytes.isPrefixOf` Bytes.drop i bytes -> Right (i + 5)
+  'n' | "null" `Bytes.isPrefixOf` Bytes.drop i bytes -> Right (i + 4)
+  c | c == '-' || isDigit c -> numberEnd bytes i
+  _ -> unexpected (Expected "a value belongs here") bytes i
   where
-    -- At the first character of a value.
-    anyValue :: Int -> Word64 -> Int -> Maybe Failure
-    anyValue !open !kinds !i = case charAt bytes i of
-      '{'
-        | open >= deepest -> tooDeep i
-        | otherwise -> case charAt bytes inner of
-            '}' -> behind open kinds (inner + 1)
-            '"' -> member (open + 1) (setBit (shiftL kinds 1) 0) inner
-            _ -> failed AKeyOrClosingBrace inner
-      '['
-        | open >= deepest -> tooDeep i
-        | otherwise -> case charAt bytes inner of
-            ']' -> behind open kinds (inner + 1)
-            _ -> anyValue (open + 1) (shiftL kinds 1) inner
-      '"' -> stringEnd bytes (i + 1) `thenAt` behind open kinds
-      't' | "true" `Bytes.isPrefixOf` Bytes.drop i bytes -> behind open kinds (i + 4)
-      'f' | "false" `Bytes.isPrefixOf` Bytes.drop i bytes -> behind open kinds (i + 5)
-      'n' | "null" `Bytes.isPrefixOf` Bytes.drop i bytes -> behind open kinds (i + 4)
-      c | c == '-' || isDigit c -> numberEnd bytes i `thenAt` behind open kinds
-      _ -> failed AValue i
-      where
-        inner = skip bytes (i + 1)
-    -- Behind a value.
-    behind :: Int -> Word64 -> Int -> Maybe Failure
-    behind !open !kinds !i
-      | open == 0 = if isEnd bytes next then Nothing else failed TheEnd next
-      | testBit kinds 0 = case charAt bytes next of
-          ',' -> member open kinds (skip bytes (next + 1))
-          '}' -> behind (open - 1) (shiftR kinds 1) (next + 1)
-          _ -> failed CommaOrClosingBrace next
-      | otherwise = case charAt bytes next of
-          ',' -> anyValue open kinds (skip bytes (next + 1))
-          ']' -> behind (open - 1) (shiftR kinds 1) (next + 1)
-          _ -> failed CommaOrClosingBracket next
-      where
-        next = skip bytes i
-    -- At the first character of a key.
-    member !open !kinds !i = case charAt bytes i of
-      '"' -> stringEnd bytes (i + 1) `thenAt` \end ->
-        let colon = skip bytes end
-         in case charAt bytes colon of
-              ':' -> anyValue open kinds (skip bytes (colon + 1))
-              _ -> failed AColon colon
-      _ -> failed AKey i
-    thenAt (Ended end) next = next end
-    thenAt (Failed failure) _ = Just failure
-    failed expected i = Just (unexpected expected bytes i)
-    tooDeep i = Just (Failure i (TooDeep deepest))
-
--- | The place behind a piece of the text, or why there is none.
-data End = Ended !Int | Failed !Failure
+    inner = skip bytes (i + 1)
+    -- From the first character of an item, or of a key, on.
+    itemsEnd !k = do
+      end <- skip bytes <$> valueEnd bytes (open + 1) k
+      case charAt bytes end of
+        ',' -> itemsEnd (skip bytes (end + 1))
+        ']' -> Right (end + 1)
+        _ -> unexpected (Expected ", or ] belongs here") bytes end
+    membersEnd !k = do
+      unless (charAt bytes k == '"') $ unexpected (Expected "a key in double quotes belongs here") bytes k
+      colon <- skip bytes <$> stringEnd bytes (k + 1)
+      unless (charAt bytes colon == ':') $ unexpected (Expected ": belongs here") bytes colon
+      end <- skip bytes <$> valueEnd bytes (open + 1) (skip bytes (colon + 1))
+      case charAt bytes end of
+        ',' -> membersEnd (skip bytes (end + 1))
+        '}' -> Right (end + 1)
+        _ -> unexpected (Expected ", or } belongs here") bytes end
 
 -- Behind a number, whose first character is given.
 numberEnd :: ByteString -> Int -> End
-numberEnd bytes i
-  | end == whole = Failed (unexpected ADigit bytes whole)
-  | charAt bytes whole == '0', end > whole + 1 = Failed (unexpected NoDigit bytes (whole + 1))
-  | charAt bytes end == '.' = digits (end + 1) power
-  | otherwise = power end
+numberEnd bytes i = do
+  end <- digits whole
+  behind <- case charAt bytes whole of
+    '0' | end > whole + 1 -> unexpected (Expected "leave out the zero that the number begins with") bytes (whole + 1)
+    _ -> if charAt bytes end == '.' then digits (end + 1) else Right end
+  case charAt bytes behind of
+    c | c == 'e' || c == 'E' -> digits (if isSign (charAt bytes (behind + 1)) then behind + 2 else behind + 1)
+    _ -> Right behind
   where
     whole = if charAt bytes i == '-' then i + 1 else i
-    end = digitsEnd whole
-    power k = case charAt bytes k of
-      c | c == 'e' || c == 'E' -> digits (if isSign (charAt bytes (k + 1)) then k + 2 else k + 1) Ended
-      _ -> Ended k
-    digits k next
-      | digitsEnd k == k = Failed (unexpected ADigit bytes k)
-      | otherwise = next (digitsEnd k)
+    digits k
+      | digitsEnd k == k = unexpected (Expected "a digit belongs here") bytes k
+      | otherwise = Right (digitsEnd k)
     digitsEnd k = if isDigit (charAt bytes k) then digitsEnd (k + 1) else k
     isSign c = c == '+' || c == '-'
 
 -- Behind a string, of which the place behind its opening quote is given.
 stringEnd :: ByteString -> Int -> End
 stringEnd bytes i = case charAt bytes i of
-  '"' -> Ended (i + 1)
-  '\\' -> either Failed (stringEnd bytes . snd) (escaped bytes (i + 1))
+  '"' -> Right (i + 1)
+  '\\' -> escaped bytes (i + 1) >>= stringEnd bytes . snd
   c | c >= ' ' -> stringEnd bytes (i + 1)
-    | isEnd bytes i -> Failed (unexpected ClosingQuote bytes i)
-    | otherwise -> Failed (Failure i (ControlCharacter c))
+    | isEnd bytes i -> unexpected (Expected "a closing \" belongs here") bytes i
+    | otherwise -> Left (i, ControlCharacter c)
 
 -- What an escape means, of which the place behind the backslash is given; and the place behind it. Two code units may
 -- make one character beyond U+FFFF; U+FFFD stands for half of such a pair, which is no character.
-escaped :: ByteString -> Int -> Either Failure (Char, Int)
+escaped :: ByteString -> Int -> Either (Int, SyntaxFault) (Char, Int)
 escaped bytes i = case charAt bytes i of
   'u' -> do
     unit <- codeUnit (i + 1)
@@ -194,14 +174,14 @@ escaped bytes i = case charAt bytes i of
             (chr (0x10000 + (unit - 0xD800) * 0x400 + (unit' - 0xDC00)), i + 11)
       _ -> (if isHigh unit || isLow unit then '\xFFFD' else chr unit, i + 5)
   c | Just meant <- lookup c short -> Right (meant, i + 1)
-  _ -> Left (unexpected AnEscape bytes i)
+  _ -> unexpected (Expected "one of \" \\ / b f n r t u belongs here") bytes i
   where
     short = zip "\"\\/bfnrt" "\"\\/\b\f\n\r\t"
     isHigh u = u >= 0xD800 && u < 0xDC00
     isLow u = u >= 0xDC00 && u < 0xE000
     codeUnit from
       | Chars.length found == 4 = Right (Chars.foldl' (\acc c -> 16 * acc + digitToInt c) 0 found)
-      | otherwise = Left (unexpected AHexDigit bytes (from + Chars.length found))
+      | otherwise = unexpected (Expected "four hexadecimal digits belong here") bytes (from + Chars.length found)
       where
         found = Chars.takeWhile isHexDigit (slice bytes from (from + 4))
 
@@ -214,58 +194,37 @@ value :: Document -> Value
 value (Document bytes i) = case charAt bytes i of
   '{' -> Object (members bytes (skip bytes (i + 1)))
   '[' -> List (items bytes (skip bytes (i + 1)))
-  '"' -> String (stringText (slice bytes (i + 1) (behindString bytes (i + 1) - 1)))
+  '"' -> String (stringText (slice bytes (i + 1) (checked (stringEnd bytes (i + 1)) - 1)))
   't' -> Boolean True
   'f' -> Boolean False
   'n' -> Null
-  _ -> Number (slice bytes i (behindWord bytes i))
+  _ -> Number (slice bytes i (checked (numberEnd bytes i)))
+
+-- In text that has been checked there is no fault.
+checked :: End -> Int
+checked = either fst id
 
 -- The items from the one that begins here, or from the closing bracket.
 items :: ByteString -> Int -> [Document]
 items bytes !i
   | isEnd bytes i || charAt bytes i == ']' = []
-  | otherwise = Document bytes i : items bytes (following bytes (behindValue bytes i))
+  | otherwise = Document bytes i : items bytes (following bytes i)
 
 -- The members from the one whose key begins here, or from the closing brace.
 members :: ByteString -> Int -> [(Text, Document)]
 members bytes !i
   | isEnd bytes i || charAt bytes i == '}' = []
-  | otherwise = (stringText (slice bytes (i + 1) (end - 1)), Document bytes inner) : members bytes after
+  | otherwise = (key, Document bytes inner) : members bytes (following bytes inner)
   where
-    end = behindString bytes (i + 1)
+    key = stringText (slice bytes (i + 1) (end - 1))
+    end = checked (stringEnd bytes (i + 1))
     !inner = skip bytes (skip bytes end + 1)
-    after = following bytes (behindValue bytes inner)
 
--- What follows behind a value: the next, or a closing bracket.
+-- What follows behind the value that begins here: the next, or a closing bracket.
 following :: ByteString -> Int -> Int
 following bytes i = if charAt bytes next == ',' then skip bytes (next + 1) else next
   where
-    next = skip bytes i
-
--- In text that has been checked.
-behindValue, behindWord, behindString :: ByteString -> Int -> Int
-behindValue bytes start = go (0 :: Int) start
-  where
-    go !open !i
-      | isEnd bytes i = i
-      | otherwise = case charAt bytes i of
-          '"' -> closed open (behindString bytes (i + 1))
-          c | c == '[' || c == '{' -> go (open + 1) (i + 1)
-            | c == ']' || c == '}' -> closed (open - 1) (i + 1)
-            | open > 0 -> go open (i + 1)
-            | otherwise -> behindWord bytes i
-    closed open i = if open == 0 then i else go open i
-behindWord bytes i
-  | isEnd bytes i || isMark (charAt bytes i) = i
-  | otherwise = behindWord bytes (i + 1)
-  where
-    isMark c = c == ',' || c == ']' || c == '}' || c == ' ' || c == '\n' || c == '\r' || c == '\t'
-behindString bytes i
-  | isEnd bytes i = i
-  | otherwise = case charAt bytes i of
-      '"' -> i + 1
-      '\\' -> behindString bytes (i + 2)
-      _ -> behindString bytes (i + 1)
+    next = skip bytes (checked (valueEnd bytes 0 i))
 
 -- What stands between quotes.
 stringText :: ByteString -> Text

@@ -32,7 +32,8 @@ spec = describe "parseDocument" $ do
   it "reads half of a surrogate pair as U+FFFD, and goes on behind it" $ do
     parsed "\"\\ud834\\ud834\\udd1e \\udd1ex\\ud834\\n\\ud834\\u0041\""
       `shouldBe` Right (Words "\xfffd\x1d11e \xfffdx\xfffd\n\xfffd\&A")
-    parsed "\"\\ud834\\u00g0\"" `shouldBe` Left (TextPosition 1 12, Unexpected (Just 'g') AHexDigit)
+    parsed "\"\\ud834\\u00g0\""
+      `shouldBe` Left (TextPosition 1 12, Unexpected (Just 'g') (Expected "four hexadecimal digits belong here"))
   it "tells brackets and quotes in strings from those around them" $
     parsed "[[\"]\", \"\\\"]\", \"\\\\\"], {\"}\": \"{\", \",\\\\\": \"[\"} ,1]"
       `shouldBe` Right
