@@ -9,19 +9,18 @@ module Visibility.Draw.Band
   , stripPlace
   , outwardPlace
     -- * What is near
-  , Grid
-  , gridOf
   , nearTo
   ) where
 
-import qualified Data.IntSet as IntSet
-import Data.List (foldl')
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import Visibility.Draw.Drawing
 import Visibility.Draw.Scenery (freeCone, heading, raySteps)
 import Visibility.Exact.Predicate (Turn (..), turn)
 import Visibility.Scene
+import Visibility.Scene.Boxes (boxTree, boxesOverlap, foldBoxes)
+import qualified Visibility.Scene.Boxes as Boxes
 
 -- | Where a band lies along a side: the side's start, the unit vectors along it and out into free space, its length,
 -- the width of the band, and how the ends are cut. All in pixels.
@@ -65,9 +64,7 @@ stripsOf scene placeOf most = Map.fromList [(side, strip side) | side <- sides s
     places = V.fromList (map placeOf (corners scene))
     place (CornerId c) = places V.! c
     ends side = (place (sideStart side), place (sideEnd scene side))
-    grid = gridOf (2 * most) (map ends (sides scene))
-    -- At least those that are nearer than twice the greatest width.
-    nearby = V.fromList [map SideId (nearTo grid (ends side)) | side <- sides scene]
+    nearby = V.fromList (map (map SideId . nearTo (2 * most) (map ends (sides scene)) . ends) (sides scene))
     near (SideId s) = nearby V.! s
     rooms = V.fromList [roomBeside scene place most side (near side) | side <- sides scene]
     roomOf (SideId s) = rooms V.! s
@@ -200,46 +197,15 @@ stripRays most strip
       , and [slope * (long - s) > far | Inwards slope <- [endCut strip]]
       ]
 
--- | The squares of a grid as wide as a reach, each with the numbers of the segments that run through it.
-data Grid = Grid
-  { gridReach :: !Double
-  , gridSquares :: !(Map.Map (Int, Int) [Int])
-  }
-
--- | The grid of segments, which are numbered from 0, for a reach in pixels.
+-- | The numbers, from 0, of at least all segments that come nearer to a segment than a reach in pixels, ascending.
 --
--- /Requires/ a reach of more than 0. /Cost/ O(n log n) for n segments, times their lengths in reaches.
-gridOf :: Double -> [(Place, Place)] -> Grid
-gridOf reach segments =
-  Grid reach (foldl' add Map.empty [(at, k) | (k, s) <- zip [0 ..] segments, at <- squares reach 0 s])
+-- /Cost/ O(n log n) once for n segments; then that of those whose boxes are as near. /Laws/ none that
+-- is nearer is missing.
+nearTo :: Double -> [(Place, Place)] -> (Place, Place) -> [Int]
+nearTo reach segments = \segment -> sort (foldBoxes (boxesOverlap (around reach segment)) (flip (:)) [] tree)
   where
-    add found (at, k) = Map.insertWith (<>) at [k] found
-
--- | The numbers of at least all segments that come nearer to a segment than the reach, ascending.
---
--- /Cost/ that of the segments in the squares around it. /Laws/ none that is nearer is missing.
-nearTo :: Grid -> (Place, Place) -> [Int]
-nearTo grid segment =
-  IntSet.toAscList . IntSet.fromList $
-    concat [Map.findWithDefault [] at (gridSquares grid) | at <- squares reach reach segment]
-  where
-    reach = gridReach grid
-
--- | The squares of a width that have a point no further than a margin from a segment, by column and row.
---
--- Rounding is not felt: a little is added on all sides.
-squares :: Double -> Double -> (Place, Place) -> [(Int, Int)]
-squares width margin (Place x0 y0, Place x1 y1) =
-  [ (column, row)
-  | column <- [number (left - wider) .. number (right + wider)]
-  , let ends = [fromIntegral column * width - wider, fromIntegral (column + 1) * width + wider]
-  , let here = map (kept left right) ends
-  , let heights = if x0 == x1 then [y0, y1] else map heightAt here
-  , row <- [number (minimum heights - wider) .. number (maximum heights + wider)]
-  ]
-  where
-    wider = margin + 1e-3
-    number v = floor (v / width) :: Int
-    (left, right) = (min x0 x1, max x0 x1)
-    kept low high = max low . min high
-    heightAt x = kept (min y0 y1) (max y0 y1) (y0 + (y1 - y0) * (x - x0) / (x1 - x0))
+    tree = boxTree (map (around 0) segments)
+    around margin (Place x y, Place x' y') = Boxes.Box (low x x') (high x x') (low y y') (high y y')
+      where
+        low a b = floor (min a b - margin)
+        high a b = ceiling (max a b + margin)

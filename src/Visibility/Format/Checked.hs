@@ -8,8 +8,6 @@ module Visibility.Format.Checked
   ) where
 
 import Data.List.NonEmpty (NonEmpty (..))
-import qualified Data.List.NonEmpty as NonEmpty
-import Data.Semigroup (sconcat)
 import Visibility.Error
 
 -- | A value or all the faults that prevent it. Nothing waits to be computed, so that what has been read keeps no text.
@@ -36,19 +34,9 @@ andThen :: Checked a -> (a -> Checked b) -> Checked b
 andThen (Wrong faults) _ = Wrong faults
 andThen (Good a) next = next a
 
--- | 'traverse' with the places in the list, from 0; in a loop, for lists of any length.
+-- | 'traverse' with the places in the list, from 0.
 eachOf :: (Int -> a -> Checked b) -> [a] -> Checked [b]
-eachOf check = good [] 0
-  where
-    good done _ [] = Good (reverse done)
-    good done k (item : rest) = case check k item of
-      Good made -> good (made : done) (k + 1) rest
-      Wrong faults -> wrong faults [] (k + 1) rest
-    -- The last faults first.
-    wrong faults before _ [] = Wrong (sconcat (NonEmpty.reverse (faults :| before)))
-    wrong faults before k (item : rest) = case check k item of
-      Good _ -> wrong faults before (k + 1) rest
-      Wrong faults' -> wrong faults' (faults : before) (k + 1) rest
+eachOf check = sequenceA . zipWith check [0 ..]
 {-# INLINE eachOf #-}
 
 -- | What has been read from a file, or its problems.

@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | A tree of boxes that does not change once it is made: it tells which boxes overlap, and which have a property.
+-- | A tree of boxes that does not change once it is made: it tells which boxes have a property.
 module Visibility.Scene.Boxes
   ( -- * Boxes
     Box (..)
@@ -11,13 +11,11 @@ module Visibility.Scene.Boxes
   , BoxTree
   , boxTree
     -- * Queries
-  , foldOverlaps
   , foldBoxes
   , foldNearer
   ) where
 
 import Control.Monad.ST (ST, runST)
-import Data.List (foldl')
 import Data.Ord (comparing)
 import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
@@ -96,17 +94,6 @@ sliceSize = 8
 at :: U.Vector (Int, Int, Int, Int) -> Int -> Box
 at table i = let (l, r, b, t) = table U.! i in Box l r b t
 {-# INLINE at #-}
-
--- | Combines all pairs of different boxes that overlap, each pair once, the lesser index first, in no promised order.
---
--- /Cost/ O(n log n + k) for k pairs when few boxes overlap others far away in the tree; O(n²) at worst.
-foldOverlaps :: (a -> Int -> Int -> a) -> a -> BoxTree -> a
-foldOverlaps combine start tree@(BoxTree order table _) = foldl' with start [0 .. U.length order - 1]
-  where
-    with acc k = foldBoxes (boxesOverlap (at table k)) (\acc' j -> if i < j then combine acc' i j else acc') acc tree
-      where
-        i = order U.! k
-{-# INLINE foldOverlaps #-}
 
 -- | Combines all boxes with a property, in no promised order.
 --

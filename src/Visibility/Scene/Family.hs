@@ -67,20 +67,7 @@ data Family
 
 -- | The family's name on the command line.
 familyName :: Family -> Text
-familyName kind = case kind of
-  Random -> "random"
-  Sparse -> "sparse"
-  Grid -> "grid"
-  Room -> "room"
-  Comb -> "comb"
-  ThinWalls -> "thin-walls"
-  Needles -> "needles"
-  Kettner -> "kettner"
-  Checkerboard -> "checkerboard"
-  Terraces -> "terraces"
-  Maze -> "maze"
-  Ceiling -> "ceiling"
-  Tower -> "tower"
+familyName = fst . inWords
 
 -- | /Law/ @familyNamed (familyName f) == Just f@.
 familyNamed :: Text -> Maybe Family
@@ -88,20 +75,23 @@ familyNamed name = find ((== name) . familyName) [minBound ..]
 
 -- | What the family is for, and what its size counts, in a line.
 familyPurpose :: Family -> Text
-familyPurpose kind = case kind of
-  Random -> "N convex quadrilaterals; a corner sees about as many others whatever N is"
-  Sparse -> "N small quadrilaterals far apart; nearly all see each other"
-  Grid -> "N unit squares in a square lattice; many corners on one line"
-  Room -> "a room with piers, and N quadrilaterals in it"
-  Comb -> "two combs of N rectangular teeth each, facing each other; non-convex"
-  ThinWalls -> "N thin walls in random directions"
-  Needles -> "N long slender triangles, nearly parallel"
-  Kettner -> "N tiny triangles in line with two others, nearly or exactly: where Doubles go wrong"
-  Checkerboard -> "N unit squares that touch at their corners"
-  Terraces -> "N unit squares that touch along their sides, in rows"
-  Maze -> "N thin walls that meet at their ends"
-  Ceiling -> "a convex ceiling of N*N + N corners above a column of N walls; a long chain"
-  Tower -> "the same ceiling beside one tower; two polygons"
+familyPurpose = snd . inWords
+
+inWords :: Family -> (Text, Text)
+inWords kind = case kind of
+  Random -> ("random", "N convex quadrilaterals; a corner sees about as many others whatever N is")
+  Sparse -> ("sparse", "N small quadrilaterals far apart; nearly all see each other")
+  Grid -> ("grid", "N unit squares in a square lattice; many corners on one line")
+  Room -> ("room", "a room with piers, and N quadrilaterals in it")
+  Comb -> ("comb", "two combs of N rectangular teeth each, facing each other; non-convex")
+  ThinWalls -> ("thin-walls", "N thin walls in random directions")
+  Needles -> ("needles", "N long slender triangles, nearly parallel")
+  Kettner -> ("kettner", "N tiny triangles in line with two others, nearly or exactly: where Doubles go wrong")
+  Checkerboard -> ("checkerboard", "N unit squares that touch at their corners")
+  Terraces -> ("terraces", "N unit squares that touch along their sides, in rows")
+  Maze -> ("maze", "N thin walls that meet at their ends")
+  Ceiling -> ("ceiling", "a convex ceiling of N*N + N corners above a column of N walls; a long chain")
+  Tower -> ("tower", "the same ceiling beside one tower; two polygons")
 
 -- | How many polygons a scene has ('Comb': teeth of each comb; 'Room': obstacles in the room; 'Kettner': tiny ones, two
 -- large ones come before them; 'Ceiling' and 'Tower': corners of the column). At least 1.

@@ -9,7 +9,7 @@ spec :: Spec
 spec = describe "what is near" $ do
   it "is all that has a place nearer than the reach, by places along both segments" $
     forAll scattered $ \(reach, one, segments) ->
-      let found = nearTo (gridOf reach segments) one
+      let found = nearTo reach segments one
           missing =
             [ (k, s)
             | (k, s) <- zip [0 ..] segments
@@ -19,11 +19,11 @@ spec = describe "what is near" $ do
        in cover 50 (length found < length segments) "some are not" $ missing === []
   it "is told in order, each once" $
     forAll scattered $ \(reach, one, segments) ->
-      let found = nearTo (gridOf reach segments) one
+      let found = nearTo reach segments one
        in found === [k | k <- [0 .. length segments - 1], k `elem` found]
   it "is nothing that is further than three squares in both coordinates" $
     forAll scattered $ \(reach, one, segments) ->
-      let found = nearTo (gridOf reach segments) one
+      let found = nearTo reach segments one
           far (Place x y, Place x' y') (Place a b, Place a' b') =
             min x x' > max a a' + 3 * reach || min a a' > max x x' + 3 * reach
               || min y y' > max b b' + 3 * reach

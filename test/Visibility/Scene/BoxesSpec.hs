@@ -8,11 +8,6 @@ import Visibility.Scene.Boxes
 
 spec :: Spec
 spec = modifyMaxSuccess (* 5) $ do
-  prop "foldOverlaps gives each pair that overlaps once" $
-    forAll manyBoxes $ \boxes ->
-      let pairs = foldOverlaps (\found i j -> (min i j, max i j) : found) [] (boxTree boxes)
-          expected = [(i, j) | (i, a) <- zip [0 ..] boxes, (j, b) <- zip [0 ..] boxes, i < j, boxesOverlap a b]
-       in cover 30 (not (null expected)) "some" $ sort pairs === expected
   prop "boxesOverlap: they share a point" $
     forAll ((,) <$> box 4 <*> box 4) $ \(a, b) -> boxesOverlap a b === any (`elem` pointsIn b) (pointsIn a)
   prop "boxContains: every point of the one is in the other" $

@@ -1,5 +1,3 @@
-{-# LANGUAGE TupleSections #-}
-
 -- | Random draws that are the same for all time: the stream of a seed belongs to the contract of @generate@, so it is
 -- written here and not taken from a library.
 --
@@ -14,6 +12,7 @@ module Visibility.Scene.Family.Draw
   , oneOf
   ) where
 
+import Control.Monad.Trans.State.Lazy (State, evalState, state)
 import Data.Bits (shiftR, xor)
 import Data.Word (Word64)
 
@@ -22,26 +21,16 @@ newtype Seed = Seed Word64
   deriving (Eq, Ord, Show)
 
 -- | A value that depends on a stream of random words.
-newtype Draw a = Draw (Word64 -> (a, Word64))
-
-instance Functor Draw where
-  fmap f (Draw run) = Draw (\s -> let (a, s') = run s in (f a, s'))
-
-instance Applicative Draw where
-  pure a = Draw (a,)
-  Draw runF <*> Draw runA = Draw (\s -> let (f, s') = runF s; (a, s'') = runA s' in (f a, s''))
-
-instance Monad Draw where
-  Draw run >>= f = Draw (\s -> let (a, s') = run s; Draw next = f a in next s')
+type Draw = State Word64
 
 -- | The value from the stream of this number under a seed. Streams of different numbers are unrelated, so that the
 -- tenth polygon of a scene does not depend on how many draws the ninth took.
 runDraw :: Seed -> Int -> Draw a -> a
-runDraw (Seed seed) number (Draw run) = fst (run (mixed (mixed seed + golden * fromIntegral number)))
+runDraw (Seed seed) number draw = evalState draw (mixed (mixed seed + golden * fromIntegral number))
 
 -- | A word after which the state moves on by the golden ratio.
 word :: Draw Word64
-word = Draw (\s -> let s' = s + golden in (mixed s', s'))
+word = state (\s -> let s' = s + golden in (mixed s', s'))
 
 golden :: Word64
 golden = 0x9e3779b97f4a7c15
