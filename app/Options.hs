@@ -1,18 +1,6 @@
 -- | What the command line says.
 module Options
-  ( Command (..)
-  , readCommand
-    -- * Options of commands
-  , Objects (..)
-  , GenerateOptions (..)
-  , Address (..)
-  , meant
-  , module Options.Common
-  , module Options.Draw
-  , module Options.Factors
-  , module Options.Mesh
-  , module Options.Radiosity
-  , module Options.View
+  ( readCommand
   ) where
 
 import Data.List (intercalate)
@@ -21,27 +9,21 @@ import Options.Applicative.Common (runParserInfo)
 import Options.Applicative.Help (renderHelp)
 import Options.Applicative.Internal (runP)
 import Options.Applicative.Types (Context (..))
-import Options.Common
-import Options.Draw
-import Options.Factors
 import Options.Manual
-import Options.Mesh
-import Options.Radiosity
-import Options.Reader
+import Options.Reader (meant)
 import Options.Table
-import Options.View
 import Output (complain, ends)
 import System.Environment (getArgs)
 import System.Exit (ExitCode (..), exitSuccess)
 import System.IO (hPutStrLn, stderr)
 import Visibility.Error (Outcome (WrongUsage))
 
--- | Reads the arguments. A mistake in them ends the program with exit code 1: what is wrong, and the usage line of the
--- command.
-readCommand :: IO Command
+-- | Reads what the arguments ask for. A mistake in them ends the program with exit code 1: what is wrong, and the usage
+-- line of the command.
+readCommand :: IO (IO ())
 readCommand = getArgs >>= commandOf
 
-commandOf :: [String] -> IO Command
+commandOf :: [String] -> IO (IO ())
 commandOf arguments = case execParserPure preferences everything arguments of
   Success (Left (Explain wanted)) -> commandOf (wanted <> ["--help"])
   Success (Right wanted) -> pure wanted

@@ -18,7 +18,7 @@ import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (group, sort)
 import qualified Data.Text as Text
-import Options (Common (..))
+import Options.Common (Common (..))
 import Output
 import Progress
 import System.FilePath (takeExtension)

@@ -6,7 +6,7 @@ module Command.Address
 
 import Data.List (genericDrop, intercalate)
 import qualified Data.Text as Text
-import Options (Address (..), meant)
+import Options.Reader (Address (..), meant)
 import Visibility.Exact.Point (Point)
 import Visibility.Scene
 

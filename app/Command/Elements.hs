@@ -9,7 +9,9 @@ module Command.Elements
 
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
-import Options
+import Options.Common
+import Options.Mesh
+import Options.Radiosity
 import Progress (stage)
 import Run (complain, ends, measuring, printed, sweeping, withScene)
 import Visibility.Error (Outcome (..))

@@ -2,6 +2,7 @@
 module Command.Query
   ( runInfo
   , runGraph
+  , LineOrder (..)
   , runFactors
   , runComplex
   , runVerify
@@ -10,25 +11,26 @@ module Command.Query
 
 import Command.Elements (divided)
 import Control.Monad (unless)
-import Data.ByteString.Builder (string7, stringUtf8)
+import Data.ByteString.Builder (Builder, string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
-import Options
+import Data.Word (Word64)
+import Options.Common
+import Options.Factors
+import Options.Mesh (Elements (..))
 import Progress
 import Run (allowMemory, ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
 import System.CPUTime (getCPUTime)
-import Visibility.Complex (build)
+import Visibility.Complex (Complex, build)
 import Visibility.Complex.Law (checked)
-import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Count (count)
 import Visibility.Error (Outcome (..))
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
-import Visibility.Format.Complex (complexDocument, polygonDocument)
 import Visibility.Format.Factors (Detail (..), decimalDocument, exactDocument, nearestDocument, sideBuilder)
-import Visibility.Format.Graph (linesOf, namesOf, pairKeys, sortedLines)
+import Visibility.Format.Graph (PairSelection, linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText, verdictText)
 import Visibility.Format.Json (sceneDocument)
 import Visibility.Mesh (elementNames, refinedScene)
-import Visibility.Scene.Family (family)
+import Visibility.Scene.Family (Family, Seed, Size, family)
 import Visibility.Sweep (Piece)
 import Visibility.View (events)
 
@@ -41,15 +43,17 @@ runInfo common = withScene common $ \scene -> do
   printed (stringUtf8 (infoText scene (schedulerChoice common) counts (fromInteger (ended - begun) / 1e12)))
 
 -- | The elementary visible pairs.
-runGraph :: Common -> GraphOptions -> IO ()
-runGraph common options = withScene common $ \scene ->
+runGraph :: Common -> PairSelection -> LineOrder -> IO ()
+runGraph common selection order = withScene common $ \scene ->
   let names = namesOf scene
-      keys = pairKeys scene names (pairSelection options)
+      keys = pairKeys scene names selection
       each :: (Piece -> a) -> ([a] -> IO ()) -> IO ()
       each = sweepingPieces common scene
-   in case lineOrder options of
+   in case order of
         ByName -> each keys (printed . sortedLines names)
         AsSwept -> each (linesOf names . keys) (streamed . foldMap byteStringCopy)
+
+data LineOrder = ByName | AsSwept
 
 -- | The form factors.
 runFactors :: Common -> FactorOptions -> IO ()
@@ -70,14 +74,9 @@ runFactors common options = withScene common $ \file -> divided common (factorEl
     watched :: [FactorRow a] -> ([FactorRow a] -> IO ()) -> IO ()
     watched rows act = counting "form factors made" (length . rowFactors) rows >>= act
 
--- | The whole complex.
-runComplex :: Common -> Objects -> IO ()
-runComplex common objects = withScene common $ \scene ->
-  sweeping common scene (printed . shown . build scene)
-  where
-    shown = case objects of
-      BySides -> complexDocument
-      ByPolygons -> polygonDocument . polygonComplex
+-- | The whole complex, as a document.
+runComplex :: Common -> (Complex -> Builder) -> IO ()
+runComplex common shown = withScene common $ \scene -> sweeping common scene (printed . shown . build scene)
 
 -- | A line for each law; exit code 5 if one does not hold.
 runVerify :: Common -> IO ()
@@ -88,8 +87,8 @@ runVerify common = withScene common $ \scene ->
     unless (all (null . snd) verdicts) $ ends DifferenceFound
 
 -- | Prints a generated scene.
-runGenerate :: GenerateOptions -> IO ()
-runGenerate options = do
-  mapM_ allowMemory (generatedMemory options)
-  watching (generatedTalk options)
-  printed (sceneDocument (family (generatedFamily options) (generatedSize options) (generatedSeed options)))
+runGenerate :: Family -> Size -> Seed -> Talk -> Maybe Word64 -> IO ()
+runGenerate kind wanted seed talking memory = do
+  mapM_ allowMemory memory
+  watching talking
+  printed (sceneDocument (family kind wanted seed))

@@ -1,13 +1,14 @@
 -- | What is seen from a point, a corner or a side.
 module Command.View
   ( runView
-  , runDrawView
+  , drawView
   ) where
 
 import Command.Address (cornerNamed, sideNamed)
 import Data.ByteString.Builder (Builder, lazyByteString)
 import Data.List (intercalate)
-import Options
+import Options.Common
+import Options.View
 import Run (printed, refuse, sweeping, withScene, written)
 import Visibility.Complex (build)
 import Visibility.Complex.Locate (boundariesAt)
@@ -33,8 +34,8 @@ runView common options = seeing common (viewFrom options) printed document
       SeenBySide side factors -> sideDocument (viewDetail options) (viewDigits options) side factors
 
 -- | As a figure.
-runDrawView :: Common -> From -> Maybe FilePath -> IO ()
-runDrawView common from file = seeing common from (written file) document
+drawView :: From -> Common -> Maybe FilePath -> IO ()
+drawView from common file = seeing common from (written file) document
   where
     document scene seen = lazyByteString (renderSvg (viewDrawing scene (figureOf scene seen)))
     figureOf scene seen = case seen of

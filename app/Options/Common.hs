@@ -1,13 +1,9 @@
--- | The options that commands share, and those of the graph.
+-- | The options that commands share.
 module Options.Common
   ( Common (..)
   , commonOptions
   , talkOption
   , memoryOption
-    -- * The graph
-  , GraphOptions (..)
-  , LineOrder (..)
-  , graphOptions
   ) where
 
 import Data.Char (isDigit)
@@ -17,7 +13,6 @@ import Options.Reader
 import Progress (Talk (..))
 import Text.Read (readMaybe)
 import Visibility.Exact.Point (Arithmetic (..))
-import Visibility.Format.Graph (PairSelection (..))
 import Visibility.Sweep (Scheduler (..))
 
 -- | What every command on a scene takes.
@@ -28,14 +23,6 @@ data Common = Common
   , talk :: !Talk
   , memoryChoice :: !(Maybe Word64)
   }
-
--- | Which lines of the graph, and in which order.
-data GraphOptions = GraphOptions
-  { pairSelection :: !PairSelection
-  , lineOrder :: !LineOrder
-  }
-
-data LineOrder = ByName | AsSwept
 
 commonOptions :: Parser Common
 commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> talkOption <*> memoryOption
@@ -84,15 +71,3 @@ memoryOption =
             Right (fromInteger wanted)
       _ -> Left (show word <> " is not a size from 16M to 1024T, such as 500M or 2G")
     units = zip ["", "K", "M", "G", "T"] (iterate (* 1024) 1)
-
-graphOptions :: Parser GraphOptions
-graphOptions =
-  GraphOptions
-    <$> flag
-      AllPairs
-      FreeBitangents
-      (long "bitangents" <> help "Only pairs whose line is tangent at both corners; sides of polygons left out.")
-    <*> flag
-      ByName
-      AsSwept
-      (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")

@@ -13,7 +13,7 @@ import Options.Applicative.Types (OptName (..), OptReader (..), optHelp, optMain
 import Options.Table
 
 -- | All commands and figures that take a scene or a family, each with its words.
-leaves :: [([String], ParserInfo (Either Instead Command))]
+leaves :: [([String], ParserInfo (Either Instead (IO ())))]
 leaves =
   [([name], here) | (name, here) <- commands, name /= "draw"] <> [(["draw", name], here) | (name, here) <- figures]
 

@@ -1,11 +1,6 @@
 -- | The commands: one table, from which arguments are read, help and the manual are made, and mistakes are answered.
 module Options.Table
-  ( -- * What is asked for
-    Command (..)
-  , Objects (..)
-  , GenerateOptions (..)
-    -- * The table
-  , Instead (..)
+  ( Instead (..)
   , Entry
   , commands
   , figures
@@ -13,11 +8,14 @@ module Options.Table
   , versionText
   ) where
 
+import Command.Draw (drawDual, drawScene)
+import Command.Elements (runMesh, runRadiosity)
+import Command.Query
+import Command.View (runView)
 import Data.Bifunctor (first)
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Data.Version (showVersion)
-import Data.Word (Word64)
 import Options.Applicative hiding (empty)
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
@@ -29,32 +27,10 @@ import Options.Radiosity
 import Options.Reader
 import Options.View
 import qualified Paths_viscomplex as Paths
-import Progress (Talk)
+import Visibility.Complex.Polygons (polygonComplex)
+import Visibility.Format.Complex (complexDocument, polygonDocument)
+import Visibility.Format.Graph (PairSelection (..))
 import Visibility.Scene.Family
-
--- | A command with its options.
-data Command
-  = Info !Common
-  | Graph !Common !GraphOptions
-  | Factors !Common !FactorOptions
-  | Complex !Common !Objects
-  | Mesh !Common !MeshOptions
-  | Radiosity !Common !RadiosityOptions
-  | Verify !Common
-  | View !Common !ViewOptions
-  | Draw !Common !DrawOptions
-  | Generate !GenerateOptions
-
--- | What counts as one object in the complex.
-data Objects = BySides | ByPolygons
-
-data GenerateOptions = GenerateOptions
-  { generatedFamily :: !Family
-  , generatedSize :: !Size
-  , generatedSeed :: !Seed
-  , generatedTalk :: !Talk
-  , generatedMemory :: !(Maybe Word64)
-  }
 
 -- | What is to be done instead of a command.
 data Instead
@@ -65,10 +41,10 @@ data Instead
     Explain ![String]
 
 -- | The word of a command or a figure, and what is read and said of it.
-type Entry = (String, ParserInfo (Either Instead Command))
+type Entry = (String, ParserInfo (Either Instead (IO ())))
 
 -- | Everything.
-whole :: String -> ParserInfo (Either Instead Command)
+whole :: String -> ParserInfo (Either Instead (IO ()))
 whole manual =
   info
     (choiceOf "COMMAND" commands <**> version <**> man <**> helper)
@@ -101,13 +77,13 @@ versionText :: String
 versionText = "viscomplex " <> showVersion Paths.version
 
 -- | One of some commands or figures.
-choiceOf :: String -> [Entry] -> Parser (Either Instead Command)
+choiceOf :: String -> [Entry] -> Parser (Either Instead (IO ()))
 choiceOf shape entries =
   hsubparser (metavar shape <> commandGroup ("Each " <> shape <> ":") <> foldMap (uncurry command) entries)
 
 -- | A command or a figure: its word, what it is for, examples, more lines, and its arguments, or what is wrong with
 -- them together.
-entry :: String -> String -> [(String, String)] -> String -> Parser (Either Instead Command) -> Entry
+entry :: String -> String -> [(String, String)] -> String -> Parser (Either Instead (IO ())) -> Entry
 entry name purpose shown more arguments = (name, described)
   where
     described = info (first within <$> arguments) (progDesc purpose <> examples shown more)
@@ -115,12 +91,12 @@ entry name purpose shown more arguments = (name, described)
     within other = other
 
 -- | Arguments with which nothing is wrong when they are looked at together.
-right :: Parser Command -> Parser (Either Instead Command)
+right :: Parser (IO ()) -> Parser (Either Instead (IO ()))
 right = fmap Right
 
 -- | Other arguments.
-checked :: (a -> Command) -> Parser (Either String a) -> Parser (Either Instead Command)
-checked made = fmap (either (Left . Mistake []) (Right . made))
+checked :: Parser (Either String (IO ())) -> Parser (Either Instead (IO ()))
+checked = fmap (first (Mistake []))
 
 commands :: [Entry]
 commands =
@@ -129,7 +105,7 @@ commands =
       "Count what the scene and its visibility complex consist of."
       [("a file", "viscomplex info scenes/grid.json")]
       ""
-      (right (Info <$> commonOptions))
+      (right (runInfo <$> commonOptions))
   , entry
       "graph"
       "Print the elementary visible pairs of corners, one a line: 0.1 2.3 means corner 1 of polygon 0 and corner 3 of \
@@ -139,7 +115,7 @@ commands =
       , ("in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
       ]
       ""
-      (right (Graph <$> commonOptions <*> graphOptions))
+      (right (runGraph <$> commonOptions <*> pairs <*> order))
   , entry
       "factors"
       "Print the form factors of all sides, correctly rounded. Factors that are exactly zero are left out; the sky is \
@@ -150,7 +126,7 @@ commands =
       , ("the nearest Doubles, fast", "viscomplex factors scenes/room.json --double > room.csv")
       ]
       ""
-      (with Factors factorOptions)
+      (with runFactors factorOptions)
   , entry
       "complex"
       "Print the whole visibility complex as JSON: corners, vertices, edges, faces and their incidences, in an order \
@@ -160,7 +136,7 @@ commands =
       , ("of polygons instead of sides", "viscomplex complex scenes/grid.json --polygons")
       ]
       ""
-      (right (Complex <$> commonOptions <*> objects))
+      (right (runComplex <$> commonOptions <*> objects))
   , entry
       "radiosity"
       "Print the radiosity of every side as JSON: a lower and an upper bound, proved, that are as close as asked; and \
@@ -171,7 +147,7 @@ commands =
       , ("the sides, with jq", "viscomplex radiosity scenes/room.json | jq -c '.sides[]'")
       ]
       ""
-      (with Radiosity radiosityOptions)
+      (with runRadiosity radiosityOptions)
   , entry
       "view"
       "Print what is seen from a point, a corner or a side, as JSON: the visibility polygon, or with --normal the form \
@@ -184,7 +160,7 @@ commands =
       , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
       ]
       ""
-      (with View viewOptions)
+      (with runView viewOptions)
   , entry
       "mesh"
       "Print the discontinuity mesh as JSON: for every side the exact points where the line of two corners that see \
@@ -195,14 +171,14 @@ commands =
       , ("ten equal parts", "viscomplex mesh scenes/room.json --breaks uniform:10")
       ]
       ""
-      (right (Mesh <$> commonOptions <*> meshOptions))
+      (right (runMesh <$> commonOptions <*> meshOptions))
   , entry
       "verify"
       "Build the complex and decide every one of its laws, exactly: one line each, and one that counts them. Ends with \
       \exit code 5 if one does not hold; the laws of the complex of polygons are then left out."
       [("a file", "viscomplex verify scenes/grid.json")]
       ""
-      (right (Verify <$> commonOptions))
+      (right (runVerify <$> commonOptions))
   , entry
       "draw"
       "Draw a figure as SVG."
@@ -218,7 +194,7 @@ commands =
       , ("squares in a square lattice", "viscomplex generate grid --size 25")
       ]
       ("Families:\n" <> unlines [pad 14 (familyLabel f) <> Text.unpack (familyPurpose f) | f <- [minBound ..]])
-      (right (Generate <$> generateOptions))
+      (right generation)
   , entry
       "help"
       "Explain a command, or a figure of draw."
@@ -227,11 +203,21 @@ commands =
       (Left . Explain <$> many (argument str (metavar "COMMAND" <> completeWith (map fst commands <> map fst figures))))
   ]
   where
-    with made options = checked id ((\shared -> fmap (made shared)) <$> commonOptions <*> options)
+    with made options = checked ((\shared -> fmap (made shared)) <$> commonOptions <*> options)
+    pairs =
+      flag
+        AllPairs
+        FreeBitangents
+        (long "bitangents" <> help "Only pairs whose line is tangent at both corners; sides of polygons left out.")
+    order =
+      flag
+        ByName
+        AsSwept
+        (long "unsorted" <> help "Print pairs as they are swept, in memory that does not grow with them.")
     objects =
       flag
-        BySides
-        ByPolygons
+        complexDocument
+        (polygonDocument . polygonComplex)
         ( long "polygons"
             <> help
               "Take each polygon as one object, instead of its sides. Vertices and edges are printed where all \
@@ -242,12 +228,12 @@ commands =
 -- | What follows @draw@.
 figures :: [Entry]
 figures =
-  [ drawn "scene" "The polygons and their free bitangents." [("a file", "scene", "-o room.svg")] (plain SceneFigure)
+  [ drawn "scene" "The polygons and their free bitangents." [("a file", "scene", "-o room.svg")] (plain drawScene)
   , drawn
       "dual"
       "The arrangement of the corners' curves: a line is a point there, a corner a curve."
       [("lines as points", "dual", "-o room-dual.svg")]
-      (plain DualFigure)
+      (plain drawDual)
   , drawn
       "matrix"
       "The form factors, a coloured cell for each that is not zero."
@@ -282,7 +268,8 @@ figures =
     plain = pure . Right
     framed shape name purpose shown chosen =
       entry name purpose [(what, unwords ["viscomplex draw", f, "scenes/room.json", o]) | (what, f, o) <- shown] "" $
-        checked id ((\shared -> fmap (Draw shared)) <$> commonOptions <*> drawOptions shape chosen)
+        checked (drawing <$> commonOptions <*> chosen <*> outputOption shape)
+    drawing shared wanted file = (\draw -> draw shared file) <$> wanted
 
 -- | Examples, each with its purpose, and further lines, below the list of options.
 examples :: [(String, String)] -> String -> InfoMod a
@@ -291,9 +278,9 @@ examples shown more = footerDoc (Just (vsep (text "Examples:" : concatMap exampl
     example (purpose, call) = indent 2 (text ("# " <> purpose)) : map (indent 2 . text) (lines call)
     ending = if null more then [] else empty : map text (lines more)
 
-generateOptions :: Parser GenerateOptions
-generateOptions =
-  GenerateOptions
+generation :: Parser (IO ())
+generation =
+  runGenerate
     <$> argument
       (eitherReader (readingOf families))
       (metavar "FAMILY" <> completer (readingCompleter families) <> help (intercalate ", " labels))

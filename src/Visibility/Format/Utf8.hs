@@ -8,14 +8,13 @@ module Visibility.Format.Utf8
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Chars
-import Data.ByteString.Internal (accursedUnutterablePerformIO, toForeignPtr, w2c)
+import Data.ByteString.Internal (w2c)
+import Data.ByteString.Unsafe (unsafeIndex)
 import Data.Maybe (listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
-import Foreign.Storable (peekByteOff)
-import GHC.ForeignPtr (unsafeWithForeignPtr)
 import Visibility.Error (TextPosition (..))
 
 -- | The position of the first byte that is not UTF-8, if there is one.
@@ -43,14 +42,6 @@ decoded = Text.decodeUtf8With Text.lenientDecode
 -- UTF-8.)
 --
 -- /Requires/ a place that is not negative.
---
--- 'Data.ByteString.Unsafe.unsafeIndex' of bytestring 0.10 does the same, but allocates for each byte. What this reads
--- is within the bytes and never changes, and the reading always ends, as 'unsafeWithForeignPtr' wants.
 charAt :: ByteString -> Int -> Char
-charAt bytes i
-  | i < Bytes.length bytes = w2c (accursedUnutterablePerformIO (unsafeWithForeignPtr start byte))
-  | otherwise = '\0'
-  where
-    byte first = peekByteOff first (offset + i)
-    (start, offset, _) = toForeignPtr bytes
+charAt bytes i = if i < Bytes.length bytes then w2c (unsafeIndex bytes i) else '\0'
 {-# INLINE charAt #-}
