@@ -81,9 +81,10 @@ newtype Growing s = Growing (MutablePrimArray s Int32)
 -- | A table for n corners: no edges, empty lists, every node its own chain.
 emptyTable :: Int -> ST s (Growing s)
 emptyTable n = do
-  table <- room (16 * (n + 1))
+  let size = 16 * (n + 1)
+  table <- room size
   let growing = Growing table
-  setPrimArray table 0 (16 * (n + 1)) (-1)
+  setPrimArray table 0 size (-1)
   forM_ [0 .. n - 1] $ \p -> do
     put growing (link p) 0
     forM_ [edgeNode p, markerNode p] $ \node@(Node e) -> put growing (top node) e >> put growing (leaf node) e
