@@ -30,13 +30,13 @@ data Stage = Stage Int [String]
 groups :: [Group]
 groups =
   [ Group "predicates" ["Exact.Predicate", "Exact.DoubleDouble", "Exact.Lattice"]
-      [Stage 30 exact, Stage 300 exact, Stage 10 ["SweepSpec", "Scene.ValidateSpec"]]
+      [Stage 20 exact, Stage 150 exact, Stage 3 ["SweepSpec", "Scene.ValidateSpec"]]
   , Group "roots" ["Exact.RootSum", "Exact.Rounding"]
-      [Stage 20 roots, Stage 200 roots]
+      [Stage 20 roots, Stage 100 roots]
   , Group "sweep" ("Sweep.Topological" : map ("Sweep.HorizonTree" <>) ["", ".Plant", ".Frame", ".Table"])
-      [Stage 5 ["Sweep.TopologicalSpec"], Stage 50 ["Sweep.TopologicalSpec"], Stage 10 ["SweepSpec", "Sweep.PieceSpec"]]
+      [Stage 5 ["Sweep.TopologicalSpec"], Stage 20 ["Sweep.TopologicalSpec"], Stage 4 ["SweepSpec", "Sweep.PieceSpec"]]
   , Group "boundary" (map ("Scene." <>) ["Boundary", "Scan", "Status", "Touching"])
-      [Stage 3 scenes, Stage 30 scenes, Stage 20 ["Sweep.VerticalSpec", "SweepSpec"]]
+      [Stage 2 scenes, Stage 10 scenes, Stage 4 ["Sweep.VerticalSpec", "SweepSpec"]]
   ]
   where
     exact = map ("Exact." <>) ["PredicateSpec", "DoubleDoubleSpec", "LatticeSpec", "PointSpec"]
@@ -101,7 +101,7 @@ tested work count group candidates = do
     verdict <- run work 3600 stage
     after <- childTime
     when (verdict /= Left') $ die ("The tests of " <> groupName group <> " fail without a fault: " <> work </> "log")
-    pure (10 + ceiling (6 * (after - before)))
+    pure (3 + ceiling (4 * (after - before)))
   putStrLn (groupName group <> ": the tests have " <> intercalate ", " (map show limits) <> " s of processor time")
   go limits [] candidates
   where
@@ -158,7 +158,7 @@ run work limit (Stage cases specs) = do
   code <- logged work "bash" $
     ["-c", "ulimit -t " <> show limit <> "; exec timeout " <> show (20 * limit) <> " \"$@\"", "run", work </> "spec"
     , "--seed=1", "--fail-fast", "--qc-max-shrinks=0", "--qc-max-success=" <> show cases, "--skip=up to 2^14 corners" ]
-    <> ["--match=" <> s <> "/" | s <- specs] <> ["+RTS", "-A16m", "-M1500m", "-RTS"]
+    <> ["--match=" <> s <> "/" | s <- specs] <> ["+RTS", "-A16m", "-M1g", "-RTS"]
   said <- readFile (work </> "log")
   pure $! length said `seq` case code of
     ExitSuccess -> Left'
