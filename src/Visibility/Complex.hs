@@ -21,7 +21,7 @@ module Visibility.Complex
 import Visibility.Complex.Build
 import Visibility.Complex.Type (Complex, EdgeId, FaceId, VertexId)
 import Visibility.Complex.Type hiding
-  (Complex (..), EdgeId (..), FaceId (..), VertexId (..), lastEdgeOf, quartersOf, vertexRow)
+  (Complex (..), EdgeId (..), FaceId (..), VertexId (..), lastEdgeOf, quartersOf, vertexLine, vertexRow)
 import Visibility.Scene (Scene)
 import Visibility.Sweep (vertices)
 

@@ -23,7 +23,7 @@ import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.IntegerRoot (bitLength)
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..), directionTurn, reversed)
+import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Scene.Boxes
 import Visibility.Scene.Cone

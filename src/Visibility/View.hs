@@ -32,6 +32,7 @@ import Data.List (foldl', mapAccumL)
 import Visibility.Exact.Predicate
 import Visibility.Incidence
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.Sweep.Sights
 import Visibility.Sweep.Vertex
 
@@ -44,23 +45,19 @@ isTangent :: Scene -> CornerId -> CornerId -> Bool
 isTangent scene c towards
   | onNext == Collinear && onPrevious == Collinear = True
   | onNext /= Collinear && onPrevious == opposite onNext = False
-  | otherwise = turn points before i after /= RightTurn
+  | otherwise = turned scene before c after /= RightTurn
   where
-    points = scenePoints scene
-    CornerId i = c
-    CornerId j = towards
-    CornerId after = nextCorner scene c
-    CornerId before = previousCorner scene c
-    onNext = turn points i j after
-    onPrevious = turn points i j before
+    after = nextCorner scene c
+    before = previousCorner scene c
+    onNext = turned scene c towards after
+    onPrevious = turned scene c towards before
 
 -- | The elementary pairs of a vertex whose line is tangent at both corners, without those that are sides.
 freeBitangents :: Scene -> Vertex -> [(CornerId, CornerId)]
 freeBitangents scene vertex =
   [ (p, q)
   | (p, q) <- vertexPairs scene vertex
-  , nextCorner scene p /= q
-  , previousCorner scene p /= q
+  , q `notElem` besides scene p
   , isTangent scene p q
   , isTangent scene q p
   ]
@@ -76,10 +73,8 @@ statedPairs scene (p, q)
   | isSecondFace = []
   | otherwise = [inOrder a b | a <- namesHere scene p, b <- namesHere scene q]
   where
-    isSecondFace = joins p q && or [(p', q') < (p, q) | p' <- around p, q' <- besides p', samePlace scene q q']
+    isSecondFace = q `elem` besides scene p && or [(p', q') < (p, q) | p' <- around p, q' <- besides scene p', samePlace scene q q']
     inOrder a b = if a <= b then (a, b) else (b, a)
-    joins a b = b `elem` besides a
-    besides c = [nextCorner scene c, previousCorner scene c]
     around c = before c <> [c] <> after c
     before (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c - 1, c - 2 .. 0])
     after (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c + 1 .. cornerCount scene - 1])

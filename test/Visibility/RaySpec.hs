@@ -33,15 +33,15 @@ spec = do
       property $ \(TouchingScene s) ->
         let scene = sampleScene s
          in conjoin
-              [ nextFlank scene moment c d === nextFlank scene JustThen c (nudged turned d)
+              [ nextFlank scene moment c d === nextFlank scene JustThen c (nudged signed d)
               | c <- corners scene
-              , (moment, turned) <- [(JustBefore, negate), (JustAfter, id)]
+              , (moment, signed) <- [(JustBefore, negate), (JustAfter, id)]
               , d <- [heading scene c (nextCorner scene c), reversed (heading scene c (nextCorner scene c))]
               ]
   where
     -- A little to the left; less than lattice directions of a small extent differ.
-    nudged turned (Direction x y) =
-      let k = 10 ^ (12 :: Int) in Direction (k * x - turned y) (k * y + turned x)
+    nudged signed (Direction x y) =
+      let k = 10 ^ (12 :: Int) in Direction (k * x - signed y) (k * y + signed x)
     enlarged raw = raw {rawEnclosure = fmap bigger (rawEnclosure raw), rawPolygons = map bigger (rawPolygons raw)}
     bigger polygon = polygon {rawCorners = [Point (large * x) (large * y) | Point x y <- rawCorners polygon]}
     large = 2 ^ (40 :: Int)

@@ -52,14 +52,14 @@ landedByRays scene = Map.union found (Map.fromList [(side, []) | side <- statedS
     byPlace =
       Map.fromListWith
         Set.union
-        [ ((name, positionOn scene name point, point), Set.singleton (castOf scene (`at` besides) pair))
+        [ ((name, positionOn scene name point, point), Set.singleton (castOf scene (`at` pairsAt) pair))
         | pair <- Set.toList seen
         , Just (s, point) <- [lengthened scene pair]
         , let name = sideName scene s
         ]
     seen = Set.fromList (concat [[(p, q), (q, p)] | p <- corners scene, q <- corners scene, p < q, isSeen p q])
     isSeen = isElementary scene
-    besides = Map.fromListWith (<>) [(c, [(p, q)]) | (p, q) <- Set.toList seen, c <- [p, q]]
+    pairsAt = Map.fromListWith (<>) [(c, [(p, q)]) | (p, q) <- Set.toList seen, c <- [p, q]]
     at c = Map.findWithDefault [] c
 
 -- | Where the ray from the second corner over the first one ends, if it goes on there and ends strictly inside a side.

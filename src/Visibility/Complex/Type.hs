@@ -25,6 +25,7 @@ module Visibility.Complex.Type
   , vertexAt
   , vertexEdgesAfter
   , vertexRow
+  , vertexLine
   , Kind (..)
   , vertexKinds
   , vertexBack
@@ -68,6 +69,7 @@ import Visibility.Exact.Predicate
 import Visibility.Incidence
 import Visibility.Law (broken)
 import Visibility.Scene
+import Visibility.Scene.Cone
 import Visibility.Sweep.Vertex
 import Visibility.Sweep.Vertical (objectAt, objectOf, solid)
 import Visibility.View (isTangent)
@@ -195,8 +197,7 @@ vertexKinds complex v = zipWith kind line (Back : map (const Front) (drop 1 line
           Front -> first
         onNext = sideOf (nextCorner scene c)
         onPrevious = sideOf (previousCorner scene c)
-    sideOf (CornerId c) =
-      let (CornerId a, CornerId b) = (first, vertexLast vertex) in turn (scenePoints scene) a b c
+    sideOf = turned scene first (vertexLast vertex)
 
 -- | What the maximal free segment of a vertex ends at backward, 'Nothing' where it ends at the first corner.
 vertexBack :: Complex -> VertexId -> Maybe Object
@@ -276,14 +277,15 @@ edgeView complex e =
 
 -- | The direction in which a stretch begins. Not reduced.
 edgeFrom :: Complex -> EdgeId -> Direction
-edgeFrom complex e = directionOf complex (edgeFirst complex e)
+edgeFrom complex e = vertexLine complex (edgeFirst complex e)
 
 -- | The direction in which it ends, right-going, also where it goes on over the end of the half turn. Not reduced.
 edgeTo :: Complex -> EdgeId -> Direction
-edgeTo complex e = directionOf complex (edgeLast complex e)
+edgeTo complex e = vertexLine complex (edgeLast complex e)
 
-directionOf :: Complex -> VertexId -> Direction
-directionOf complex v = direction (scenePoints (complexScene complex)) a b
+-- | The direction of a vertex. Not reduced.
+vertexLine :: Complex -> VertexId -> Direction
+vertexLine complex v = direction (scenePoints (complexScene complex)) a b
   where
     (first, EdgeId end) = vertexRow complex v
     (CornerId a, CornerId b) = (edgeCorner complex first, edgeCorner complex (EdgeId (end - 1)))

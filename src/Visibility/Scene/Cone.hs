@@ -1,13 +1,16 @@
--- | The cone of free space at a corner, decided by its two sides.
+-- | The cone of free space at a corner, decided by its two sides; and how corners lie to each other.
 module Visibility.Scene.Cone
-  ( Moment (..)
+  ( -- * Cones
+    Moment (..)
   , entersSolid
+    -- * From corner to corner
+  , besides
   , heading
+  , turned
   , sameWay
   ) where
 
-import Visibility.Exact.Point
-import Visibility.Exact.Predicate (Direction (..), directionTurn, insideArc)
+import Visibility.Exact.Predicate
 import Visibility.Scene
 
 -- | When to look, while a direction turns to the left: at it, or next to nothing before or after it.
@@ -30,11 +33,17 @@ entersSolid scene moment c ray
     from = heading scene c (previousCorner scene c)
     along side = directionTurn side ray == Collinear && sameWay side ray
 
+-- | The corners at the other ends of the two sides of a corner.
+besides :: Scene -> CornerId -> [CornerId]
+besides scene c = [nextCorner scene c, previousCorner scene c]
+
 -- | The direction from one corner to another.
 heading :: Scene -> CornerId -> CornerId -> Direction
-heading scene a b = Direction x y
-  where
-    Vector2 x y = towards (cornerAt scene a) (cornerAt scene b)
+heading scene (CornerId a) (CornerId b) = direction (scenePoints scene) a b
+
+-- | 'turn' of the scene's corners.
+turned :: Scene -> CornerId -> CornerId -> CornerId -> Turn
+turned scene (CornerId a) (CornerId b) (CornerId c) = turn (scenePoints scene) a b c
 
 -- | Do two parallel directions lead the same way?
 sameWay :: Direction -> Direction -> Bool

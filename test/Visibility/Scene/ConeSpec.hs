@@ -43,16 +43,16 @@ spec = do
 entersAsNextToIt :: Scene -> Property
 entersAsNextToIt scene =
   conjoin
-    [ counterexample (show (c, side)) $ entersSolid scene moment c d === entersSolid scene JustThen c (nudged turned d)
+    [ counterexample (show (c, side)) $ entersSolid scene moment c d === entersSolid scene JustThen c (nudged signed d)
     | c <- corners scene
     , side <- [nextCorner scene c, previousCorner scene c]
-    , (moment, turned) <- [(JustBefore, negate), (JustAfter, id)]
+    , (moment, signed) <- [(JustBefore, negate), (JustAfter, id)]
     , d <- [heading scene c side, reversed (heading scene c side)]
     ]
   where
     -- A little to the left; less than lattice directions of a small extent differ.
-    nudged turned (Direction x y) =
-      let k = 10 ^ (12 :: Int) in Direction (k * x - turned y) (k * y + turned x)
+    nudged signed (Direction x y) =
+      let k = 10 ^ (12 :: Int) in Direction (k * x - signed y) (k * y + signed x)
 
 -- | The solid lies to the left of the sides that arrive at a corner and leave it; it is open.
 byHalfPlanes :: Scene -> CornerId -> Direction -> Bool

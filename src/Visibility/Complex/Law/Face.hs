@@ -12,6 +12,7 @@ import Visibility.Complex.Type
 import Visibility.Count (facesBegun)
 import Visibility.Exact.Predicate
 import Visibility.Scene
+import Visibility.Scene.Cone
 
 -- | /Cost/ O(incidences) each.
 faceLaws :: [Law Complex]
@@ -31,9 +32,9 @@ faceLaws =
       $ \complex ->
         [ faceLabel complex f <> " from " <> vertexLabel complex from <> " to " <> vertexLabel complex to <> ": "
             <> fault
-        | FaceId f <- faceIds complex
-        , (Just (VertexId from), Just (VertexId to)) <- [(faceFirst complex (FaceId f), faceLast complex (FaceId f))]
-        , fault <- boundedChains complex (FaceId f) from to
+        | f <- faceIds complex
+        , (Just from, Just to) <- [(faceFirst complex f, faceLast complex f)]
+        , fault <- boundedChains complex f from to
         ]
   , lawOf
       "the lines that miss everything go around the scene"
@@ -44,7 +45,7 @@ faceLaws =
         let outer = [f | f <- faceIds complex, isNothing (faceFirst complex f) || isNothing (faceLast complex f)]
             count = length outer
          in [show count <> " faces are not bounded: " <> show outer | count /= length (outerFace complex)]
-              <> [faceLabel complex f <> ": " <> fault | FaceId f <- outer, fault <- outerChain complex (FaceId f)]
+              <> [faceLabel complex f <> ": " <> fault | f <- outer, fault <- outerChain complex f]
   , lawOf
       "an elementary pair begins one face and ends one"
       "Each vertex is the first vertex of as many bounded faces as it has elementary pairs, and the last vertex of as \
@@ -53,11 +54,9 @@ faceLaws =
       $ \complex ->
         let tally end =
               counted (vertexTotal complex) [v | f <- faceIds complex, Just (VertexId v) <- [end complex f]]
-            (begun, ended) = (tally faceFirst, tally faceLast)
          in [ vertexLabel complex v <> " begins " <> show b <> " faces and ends " <> show e <> ", not " <> show want
-            | v <- [0 .. vertexTotal complex - 1]
-            , let want = facesBegun (complexScene complex) (vertexAt complex (VertexId v))
-            , let (b, e) = (begun U.! v, ended U.! v)
+            | (v, b, e) <- zip3 (vertexIds complex) (tally faceFirst) (tally faceLast)
+            , let want = facesBegun (complexScene complex) (vertexAt complex v)
             , b /= want || e /= want
             ]
   , lawOf
@@ -73,15 +72,13 @@ faceLaws =
 
 incidence :: Complex -> [String]
 incidence complex =
-  [ faceLabel complex f <> " has in its chains " <> stretchLabel complex (raw e) <> ", which does not have it "
-      <> show flank
-  | Incident (FaceId f) e flank _ <- found
-  , FaceId f `notElem` edgeFacesOn complex e flank
+  [ faceLabel complex f <> " has in its chains " <> stretchLabel complex e <> ", which does not have it " <> show flank
+  | Incident f e flank _ <- found
+  , f `notElem` edgeFacesOn complex e flank
   ]
-    <> [ stretchLabel complex (q `quot` 4) <> " is in the chains of " <> faceLabel complex f <> " " <> show times
-           <> " times"
-       | (q, times) <- zip [0 ..] (U.toList entered)
-       , Just (FaceId f) <- [at (stretchFaces complex) (decoded q)]
+    <> [ stretchLabel complex e <> " is in the chains of " <> faceLabel complex f <> " " <> show times <> " times"
+       | ((e, quarter), times) <- zip (map decoded [0 ..]) entered
+       , Just f <- [faceAt complex e quarter]
        , times /= 1
        ]
   where
@@ -96,11 +93,11 @@ incidence complex =
         ]
 
 -- | By number below a bound, how often it comes.
-counted :: Int -> [Int] -> U.Vector Int
-counted bound found = U.accum (+) (U.replicate bound 0) [(i, 1) | i <- found]
+counted :: Int -> [Int] -> [Int]
+counted bound found = U.toList (U.accum (+) (U.replicate bound 0) [(i, 1) | i <- found])
 
 -- | What is wrong with the chains of a face that begins and ends at some vertices.
-boundedChains :: Complex -> FaceId -> Int -> Int -> [String]
+boundedChains :: Complex -> FaceId -> VertexId -> VertexId -> [String]
 boundedChains complex f from to =
   [name <> " chain: " <> fault | (name, chain) <- [("upper", upper), ("lower", lower)], fault <- chainFaults chain]
     <> ["one chain goes on over the end of the half turn, the other does not" | goesOn upper /= goesOn lower]
@@ -109,8 +106,8 @@ boundedChains complex f from to =
     (upper, lower) = (upperChain complex f, lowerChain complex f)
     goesOn (Chain before _) = any (wrapsAround complex) before
     chainFaults (Chain before after) =
-      ["it does not begin at the first vertex" | map (startOf complex) (take 1 whole) /= [from]]
-        <> ["it does not end at the last vertex" | map (endOf complex) (lastOf whole) /= [to]]
+      ["it does not begin at the first vertex" | map (edgeFirst complex) (take 1 whole) /= [from]]
+        <> ["it does not end at the last vertex" | map (edgeLast complex) (lastOf whole) /= [to]]
         <> [ "it goes on over the end of the half turn wrongly"
            | null before || filter (wrapsAround complex) whole `notElem` (lastOf before : [[] | null after])
            ]
@@ -135,13 +132,10 @@ outerChain complex f =
 -- | Where a stretch of a chain does not begin where the one before it ends.
 gaps :: Complex -> [EdgeId] -> [String]
 gaps complex chain =
-  [ stretchLabel complex (raw b) <> " does not follow " <> stretchLabel complex (raw a)
+  [ stretchLabel complex b <> " does not follow " <> stretchLabel complex a
   | (a, b) <- zip chain (drop 1 chain)
-  , startOf complex b /= endOf complex a
+  , edgeFirst complex b /= edgeLast complex a
   ]
-
-raw :: EdgeId -> Int
-raw (EdgeId e) = e
 
 lastOf :: [a] -> [a]
 lastOf xs = drop (length xs - 1) xs
@@ -154,6 +148,4 @@ straightWalls scene =
     walkFrom c = c : takeWhile (/= c) (drop 1 (iterate (nextCorner scene) c))
     straight walk = and [onLine a b | (a, b) <- zip walk (drop 1 walk <> take 1 walk)]
     -- Flat, or an end: the sides before and after a corner are on one line.
-    onLine (CornerId a) b@(CornerId i) = turn (scenePoints scene) a i c == Collinear
-      where
-        CornerId c = nextCorner scene b
+    onLine a b = turned scene a b (nextCorner scene b) == Collinear

@@ -2,8 +2,6 @@
 module Visibility.Complex.Law.Local
   ( localLaws
   , raysConfirm
-    -- * Samples
-  , samplesOf
   ) where
 
 import Data.List (nub)
@@ -11,6 +9,7 @@ import Data.Maybe (isJust)
 import Data.Tuple (swap)
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Reading
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Ray
@@ -48,68 +47,62 @@ localLaws =
 solidEnds :: Complex -> [String]
 solidEnds complex =
   [ stretchLabel complex e <> ", at its " <> place <> ": the rays " <> show found <> ", the tables " <> show told
-  | e <- [0 .. stretchTotal complex - 1]
-  , let isSolid table = entry table e == solid
-  , let told = (isSolid (stretchBacks complex), isSolid (stretchFronts complex), flankOf e)
-  , let c = edgeCorner complex (EdgeId e)
-  , (place, moment, d) <-
-      [("beginning", JustAfter, edgeFrom complex (EdgeId e)), ("end", JustBefore, turnedTo complex e)]
+  | e <- stretchIds complex
+  , let isSolid table = numberAt (table complex) e == solid
+  , let told = (isSolid stretchBacks, isSolid stretchFronts, flankOf e)
+  , let c = edgeCorner complex e
+  , (place, moment, d) <- [("beginning", JustAfter, edgeFrom complex e), ("end", JustBefore, turnedTo complex e)]
   , let found = (entersSolid scene moment c (reversed d), entersSolid scene moment c d, nextFlank scene moment c d)
   , found /= told
   ]
   where
     scene = complexScene complex
-    flankOf e = if entry (stretchFlanks complex) e == 1 then Above else Below
+    flankOf e = if numberAt (stretchFlanks complex) e == 1 then Above else Below
 
 -- | The direction where a stretch ends, reached from its beginning by turning left.
-turnedTo :: Complex -> Int -> Direction
-turnedTo complex e
-  | wrapsAround complex (EdgeId e) = reversed (edgeTo complex (EdgeId e))
-  | otherwise = edgeTo complex (EdgeId e)
+turnedTo :: Complex -> EdgeId -> Direction
+turnedTo complex e = (if wrapsAround complex e then reversed else id) (edgeTo complex e)
 
 degrees :: Complex -> [String]
-degrees complex = concatMap stretch [0 .. stretchTotal complex - 1] <> concatMap vertex [0 .. vertexTotal complex - 1]
+degrees complex = concatMap stretch (stretchIds complex) <> concatMap vertex (vertexIds complex)
   where
     scene = complexScene complex
     read' = readings complex
-    free moment d c = length (filter (not . entersSolid scene moment (CornerId c)) [d, reversed d])
+    free moment d c = length (filter (not . entersSolid scene moment c) [d, reversed d])
     stretch e =
       [ stretchLabel complex e <> " has " <> show have <> " faces, not " <> show want
-      | let have = length (nub (concatMap (edgeFacesOn complex (EdgeId e)) [Above, Below]))
-      , let want = 1 + free JustAfter (edgeFrom complex (EdgeId e)) (entry (stretchCorners complex) e)
+      | let have = length (nub (concatMap (edgeFacesOn complex e) [Above, Below]))
+      , let want = 1 + free JustAfter (edgeFrom complex e) (edgeCorner complex e)
       , have /= want
       ]
     vertex v =
       [ vertexLabel complex v <> " has " <> show have <> " edges and faces, not " <> show want
           <> (if sum before == sum after then "" else ", and " <> show (sum after) <> " faces after it")
-      | let d = lineOf complex v
-      , let line = cornersOf complex v
-      , let before = map ((+ 1) . free JustBefore d) line
-      , let after = map ((+ 1) . free JustAfter d) line
+      | let d = vertexLine complex v
+      , let before = map ((+ 1) . free JustBefore d) (cornersOf complex v)
+      , let after = map ((+ 1) . free JustAfter d) (cornersOf complex v)
       , let want = (length (filter (> 1) (before <> after)), sum before)
-      , let beginning = vertexEdgesAfter complex (VertexId v)
-      , let ending = map (edgeBefore complex) beginning
-      , let have = (length (filter (isEdge complex) (beginning <> ending)), around beginning ending)
+      , let have = (length (vertexEdges complex v), length (nub (around v)))
       , have /= want || sum before /= sum after
       ]
-    around beginning ending =
-      length (nub (concatMap (places id) beginning <> concatMap (\e -> places (turnedIn e) e) ending))
+    around v = concatMap (places id) (vertexEdgesAfter complex v) <> concatMap ending (vertexEdgesAfter complex v)
+    ending after = let e = edgeBefore complex after in places (turnedIn e) e
     turnedIn e = if wrapsAround complex e then opposed else id
-    places turned e =
-      [(f, turned <$> readingAt read' e q) | q <- [minBound ..], Just f <- [faceAt complex e q]]
+    places turn' e =
+      [(f, turn' <$> readingAt read' e q) | q <- [minBound ..], Just f <- [faceAt complex e q]]
     opposed Forwards = Backwards
     opposed Backwards = Forwards
 
 stretchLabels :: Complex -> [String]
 stretchLabels complex =
-  [ stretchLabel complex e <> " has " <> show quarter <> " " <> maybe "no face" (\(FaceId i) -> faceLabel complex i) f
+  [ stretchLabel complex e <> " has " <> show quarter <> " " <> maybe "no face" (faceLabel complex) f
       <> (if reading == Just Backwards then " read backwards" else "")
       <> ", not "
       <> maybe "no face" (\(b, t) -> objectLabel complex (Just b) <> ", " <> objectLabel complex (Just t)) want
-  | e <- [0 .. stretchTotal complex - 1]
-  , (quarter, want) <- demands (complexScene complex) (edgeCorner complex (EdgeId e)) (edgeView complex (EdgeId e))
-  , let f = faceAt complex (EdgeId e) quarter
-  , let reading = readingAt read' (EdgeId e) quarter
+  | e <- stretchIds complex
+  , (quarter, want) <- demands (complexScene complex) (edgeCorner complex e) (edgeView complex e)
+  , let f = faceAt complex e quarter
+  , let reading = readingAt read' e quarter
   , maybe (isJust want) (\i -> want `notElem` map Just (labels i reading)) f
   ]
   where
@@ -144,10 +137,10 @@ raysConfirm =
       let rays = raysIn (complexScene complex)
        in [ stretchLabel complex e <> " sees " <> shown complex told <> ", but rays along " <> show (x, y) <> " see "
               <> shown complex seen
-          | e <- [0 .. stretchTotal complex - 1]
-          , let told = edgeView complex (EdgeId e)
-          , d@(Direction x y) <- samplesOf complex (EdgeId e)
-          , let seen = viewFrom rays (edgeCorner complex (EdgeId e)) d
+          | e <- stretchIds complex
+          , let told = edgeView complex e
+          , d@(Direction x y) <- samplesOf complex e
+          , let seen = viewFrom rays (edgeCorner complex e) d
           , told /= seen
           ]
   where
@@ -166,4 +159,4 @@ samplesOf complex e
   | otherwise = [between from to]
   where
     from = edgeFrom complex e
-    to = let EdgeId i = e in turnedTo complex i
+    to = turnedTo complex e

@@ -48,7 +48,7 @@ measureLaws =
       "every bounded face has a positive measure"
       "The measure of the lines of a bounded face, an exact sum of square roots from its own boundary, is positive."
       $ \(Measured complex wrong _) ->
-        [faceLabel complex f <> " has the measure " <> show (RootSum.terms area) | (FaceId f, area) <- wrong]
+        [faceLabel complex f <> " has the measure " <> show (RootSum.terms area) | (f, area) <- wrong]
   , law
       "the measures of faces add up to those of the sweep"
       "For each two sides, or a side and the sky, the measures of the faces between them, each from its own boundary, \

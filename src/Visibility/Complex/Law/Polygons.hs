@@ -114,7 +114,7 @@ arcsBy :: Ord k => (Arc -> Maybe k) -> (Arc -> [a]) -> Outlines -> Map.Map k [a]
 arcsBy key counted found = Map.fromListWith (flip (<>)) [(k, counted a) | a <- V.toList (arcs found), Just k <- [key a]]
 
 lineText :: PolygonComplex -> TangentLine -> String
-lineText made = vertexLabel (sideComplex made) . (\(VertexId v) -> v) . lineVertex
+lineText made = vertexLabel (sideComplex made) . lineVertex
 
 arcText :: Arc -> String
 arcText arc = unwords ["edge of", polygonText (arcPolygon arc), show (arcFlank arc), show (arcFirst arc, arcLast arc)]
@@ -203,7 +203,7 @@ edgeFaces made found = concatMap check (arcs found)
                 Below -> [AboveBack, BelowBack, BelowFront]
           _ -> [text]
           where
-            text = arcText arc <> " at " <> let EdgeId k = e in stretchLabel complex k
+            text = arcText arc <> " at " <> stretchLabel complex e
             faces
               | odd turns = map (later turns) [arcAcross arc, arcFront arc, arcBack arc]
               | otherwise = map (later turns) (arcFaces arc)

@@ -75,7 +75,7 @@ sectionsAgree directions complex =
         , "and"
         , bound lower
         ]
-    bound = maybe "nothing" (\(CornerId c) -> cornerLabel complex c)
+    bound = maybe "nothing" (cornerLabel complex)
 
 -- | Right-going directions, one from each seed, with components below 2³⁰.
 directionsFrom :: [Integer] -> [Direction]
@@ -114,7 +114,7 @@ sectionOf complex = section
   where
     -- The same at all directions.
     read' = readings complex
-    lines' = V.map (lineOf complex) (V.enumFromN 0 (vertexTotal complex))
+    lines' = V.fromList (map (vertexLine complex) (vertexIds complex))
     section d = sectionWith read' (V.map (\line -> compareDirections line d == LT) lines') complex d
 
 -- | By the readings, and by vertex: does it come before the direction?
@@ -137,8 +137,9 @@ sectionWith read' beforeLines complex d =
       | wrapsAround complex e = if begun then Just Forwards else if ended then Nothing else Just Backwards
       | otherwise = if begun && not ended then Just Forwards else Nothing
       where
-        begun = beforeLines V.! startOf complex e
-        ended = beforeLines V.! endOf complex e
+        begun = isBefore (edgeFirst complex e)
+        ended = isBefore (edgeLast complex e)
+        isBefore (VertexId v) = beforeLines V.! v
     facesAt flank (e, reading) =
       nub
         [ (f, label f (reading, readingAt read' e q))

@@ -42,49 +42,50 @@ wellFormed =
           Room -> skyCode (complexScene complex) - 1
         -- Each table with the entries that it should have, and the least and the greatest number that may stand there.
         tables =
-          [ ("vertexStarts", tableNumbers . vertexStarts, max 1 (v + 1), 0, e)
-          , ("stretchCorners", tableNumbers . stretchCorners, e, 0, n - 1)
-          , ("stretchVertices", tableNumbers . stretchVertices, e, 0, v - 1)
-          , ("stretchesBefore", tableNumbers . stretchesBefore, e, 0, e - 1)
-          , ("stretchesAfter", tableNumbers . stretchesAfter, e, 0, e - 1)
-          , ("stretchBacks", tableNumbers . stretchBacks, e, -1, sky)
-          , ("stretchFronts", tableNumbers . stretchFronts, e, -1, sky)
-          , ("stretchFlanks", tableNumbers . stretchFlanks, e, 0, 1)
-          , ("stretchFaces", tableNumbers . stretchFaces, 4 * e, -1, f - 1)
-          , ("lastStretches", tableNumbers . lastStretches, n, 0, e - 1)
-          , ("faceFirsts", tableNumbers . faceFirsts, f, -1, v - 1)
-          , ("faceLasts", tableNumbers . faceLasts, f, -1, v - 1)
-          , ("faceBacks", tableNumbers . faceBacks, f, 0, sky)
-          , ("faceFronts", tableNumbers . faceFronts, f, 0, sky)
-          , ("chainStarts", tableNumbers . chainStarts, 4 * f + 1, 0, chained)
-          , ("chains", tableNumbers . chains, chained, 0, e - 1)
+          [ ("vertexStarts", numbersOf vertexStarts, max 1 (v + 1), 0, e)
+          , ("stretchCorners", numbersOf stretchCorners, e, 0, n - 1)
+          , ("stretchVertices", numbersOf stretchVertices, e, 0, v - 1)
+          , ("stretchesBefore", numbersOf stretchesBefore, e, 0, e - 1)
+          , ("stretchesAfter", numbersOf stretchesAfter, e, 0, e - 1)
+          , ("stretchBacks", numbersOf stretchBacks, e, -1, sky)
+          , ("stretchFronts", numbersOf stretchFronts, e, -1, sky)
+          , ("stretchFlanks", numbersOf stretchFlanks, e, 0, 1)
+          , ("stretchFaces", numbersOf stretchFaces, 4 * e, -1, f - 1)
+          , ("lastStretches", numbersOf lastStretches, n, 0, e - 1)
+          , ("faceFirsts", numbersOf faceFirsts, f, -1, v - 1)
+          , ("faceLasts", numbersOf faceLasts, f, -1, v - 1)
+          , ("faceBacks", numbersOf faceBacks, f, 0, sky)
+          , ("faceFronts", numbersOf faceFronts, f, 0, sky)
+          , ("chainStarts", numbersOf chainStarts, 4 * f + 1, 0, chained)
+          , ("chains", numbersOf chains, chained, 0, e - 1)
           ]
+        numbersOf :: (Complex -> Table index item) -> [Int]
+        numbersOf table = map fromIntegral (U.toList (tableNumbers (table complex)))
         chained = tableLength (chains complex)
         lengths =
           [ name <> " has " <> show found <> " entries, not " <> show expected
           | (name, table, expected, _, _) <- tables
-          , let found = U.length (table complex)
+          , let found = length table
           , found /= expected
           ]
         numbers =
           [ name <> " has " <> show x <> " at " <> show i <> ", not one of " <> show low <> " to " <> show high
           | (name, table, _, low, high) <- tables
-          , (i, x) <- zip [0 :: Int ..] (map fromIntegral (U.toList (table complex)))
+          , (i, x) <- zip [0 :: Int ..] table
           , x < low || x > high
           ]
         rows =
           [ "vertexStarts does not rise by 2 or more from 0 to the number of stretches"
-          | let starts = U.toList (tableNumbers (vertexStarts complex))
-          , or (zipWith (\a b -> b - a < 2) starts (drop 1 starts))
-              || take 1 starts /= [0]
-              || drop v starts /= [fromIntegral e]
+          | let starts = numbersOf vertexStarts
+          , or (zipWith (\a b -> b - a < 2) starts (drop 1 starts)) || take 1 starts /= [0] || drop v starts /= [e]
           ]
             <> [ "a chain of face " <> show (i `quot` 4) <> " ends before it begins"
-               | i <- [0 .. 4 * f - 1]
-               , entry (chainStarts complex) i > entry (chainStarts complex) (i + 1)
+               | (i, a, b) <- zip3 [0 :: Int ..] (numbersOf chainStarts) (drop 1 (numbersOf chainStarts))
+               , a > b
                ]
             <> [ "the chains do not fill their table"
-               | entry (chainStarts complex) 0 /= 0 || entry (chainStarts complex) (4 * f) /= chained
+               | let starts = numbersOf chainStarts
+               , take 1 starts /= [0] || drop (4 * f) starts /= [chained]
                ]
 
 -- | /Cost/ O(stretches).
@@ -95,9 +96,9 @@ vertexStretches =
     "The stretches in the row of a vertex are those that name it as the vertex where they begin."
     $ \complex ->
       [ stretchLabel complex e <> " stands in the row of " <> vertexLabel complex v
-      | v <- [0 .. vertexTotal complex - 1]
-      , e <- stretchesOf complex v
-      , entry (stretchVertices complex) e /= v
+      | v <- vertexIds complex
+      , e <- vertexEdgesAfter complex v
+      , edgeFirst complex e /= v
       ]
 
 -- | /Cost/ O(stretches).
@@ -110,13 +111,12 @@ cornerLinks =
     $ \complex ->
       [ stretchLabel complex e <> " has " <> which <> " it " <> stretchLabel complex there
           <> ", which leads back to stretch "
-          <> show back
-      | e <- [0 .. stretchTotal complex - 1]
-      , (which, one, other) <-
-          [("after", stretchesAfter, stretchesBefore), ("before", stretchesBefore, stretchesAfter)]
-      , let there = entry (one complex) e
-      , let back = entry (other complex) there
-      , back /= e || entry (stretchCorners complex) there /= entry (stretchCorners complex) e
+          <> show (code back)
+      | e <- stretchIds complex
+      , (which, one, other) <- [("after", edgeAfter, edgeBefore), ("before", edgeBefore, edgeAfter)]
+      , let there = one complex e
+      , let back = other complex there
+      , back /= e || edgeCorner complex there /= edgeCorner complex e
       ]
 
 -- | /Cost/ O(stretches).
@@ -127,18 +127,17 @@ cornerDirections =
     "Along the stretches of a corner the direction increases, but for one of them, the last one of the corner, which \
     \goes on over the end of the half turn to the first; every corner has stretches."
     $ \complex ->
-      [ stretchLabel complex e <> " ends at " <> vertexLabel complex (end complex e)
-          <> (if isLast complex e then ", though it is the last of its corner" else ", which does not come later")
-      | e <- [0 .. stretchTotal complex - 1]
-      , (compareLines complex (entry (stretchVertices complex) e) (end complex e) == LT) == isLast complex e
+      [ stretchLabel complex e <> " ends at " <> vertexLabel complex (edgeLast complex e)
+          <> (if isLast then ", though it is the last of its corner" else ", which does not come later")
+      | e <- stretchIds complex
+      , let isLast = wrapsAround complex e
+      , (compareLines complex (edgeFirst complex e) (edgeLast complex e) == LT) == isLast
       ]
         <> [ "the last stretch of corner " <> cornerLabel complex c <> " is " <> stretchLabel complex e
-           | (c, e) <- zip [0 ..] (map fromIntegral (U.toList (tableNumbers (lastStretches complex))))
-           , entry (stretchCorners complex) e /= c
+           | c <- corners (complexScene complex)
+           , let e = lastEdgeOf complex c
+           , edgeCorner complex e /= c
            ]
-  where
-    end complex e = entry (stretchVertices complex) (entry (stretchesAfter complex) e)
-    isLast complex e = entry (lastStretches complex) (entry (stretchCorners complex) e) == e
 
 -- | /Cost/ O(stretches).
 cornersOnLine :: Law Complex
@@ -149,16 +148,12 @@ cornersOnLine =
     \place."
     $ \complex ->
       [ vertexLabel complex v
-      | v <- [0 .. vertexTotal complex - 1]
+      | let scene = complexScene complex
+      , v <- vertexIds complex
       , let line = cornersOf complex v
-      , or (zipWith (>=) line (drop 1 line)) || not (collinear complex line)
+      , let (a, b) = (vertexFirst (vertexAt complex v), vertexLast (vertexAt complex v))
+      , or (zipWith (>=) line (drop 1 line)) || any ((/= Collinear) . turned scene a b) line || samePlace scene a b
       ]
-  where
-    collinear complex line@(a : _ : _) =
-      let b = foldl (\_ c -> c) a line
-          scene = complexScene complex
-       in all ((== Collinear) . turn (scenePoints scene) a b) line && not (samePlace scene (CornerId a) (CornerId b))
-    collinear _ _ = False
 
 -- | /Cost/ that of 'hiders' for each elementary pair.
 pairsSee :: Law Complex
@@ -169,38 +164,36 @@ pairsSee =
     \leaves the cone of free space at neither end, and where it runs along a side it joins the ends of that side: they \
     \are an elementary pair. There is one between any two places that follow each other, and every corner is in one."
     $ \complex ->
-      [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
+      [ fault
       | let rays = raysIn (complexScene complex)
-      , v <- [0 .. vertexTotal complex - 1]
-      , (CornerId p, CornerId q) <- pairsOf complex (cornersOf complex v)
-      , fault <- faults complex rays p q
+      , v <- vertexIds complex
+      , let pairs = vertexPairs (complexScene complex) (vertexAt complex v)
+      , fault <-
+          [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
+          | (p, q) <- pairs
+          , fault <- faults complex rays p q
+          ]
+            <> [vertexLabel complex v <> " has corners without a pair" | areMissing complex (cornersOf complex v) pairs]
       ]
-        <> [ vertexLabel complex v <> " has corners without a pair"
-           | v <- [0 .. vertexTotal complex - 1]
-           , let line = map CornerId (cornersOf complex v)
-           , let groups = groupBy (samePlace (complexScene complex)) line
-           , let pairs = pairsOf complex (cornersOf complex v)
-           , any (`notElem` concat [[p, q] | (p, q) <- pairs]) line
-               || or [null [() | (p, q) <- pairs, p `elem` ps, q `elem` qs] | (ps, qs) <- zip groups (drop 1 groups)]
-           ]
   where
+    areMissing complex line pairs =
+      any (`notElem` concat [[p, q] | (p, q) <- pairs]) line
+        || or [null [() | (p, q) <- pairs, p `elem` ps, q `elem` qs] | (ps, qs) <- zip groups (drop 1 groups)]
+      where
+        groups = groupBy (samePlace (complexScene complex)) line
     faults complex rays p q =
       [ "the solid begins between them, at " <> cornerLabel complex a
       | (a, b) <- [(p, q), (q, p)]
-      , entersSolid scene JustThen (CornerId a) (direction (scenePoints scene) a b)
+      , entersSolid scene JustThen a (heading scene a b)
       ]
         <> [ "the side from " <> cornerLabel complex a <> " leads to another corner there, " <> cornerLabel complex r
            | (a, b) <- [(p, q), (q, p)]
-           , let besides = [nextCorner scene (CornerId a), previousCorner scene (CornerId a)]
-           , CornerId b `notElem` besides
-           , r' <- besides
-           , samePlace scene r' (CornerId b)
-           , let CornerId r = r'
+           , b `notElem` besides scene a
+           , r <- besides scene a
+           , samePlace scene r b
            ]
-        <> ["they are in one place" | samePlace scene (CornerId p) (CornerId q)]
-        <> [ "corner " <> cornerLabel complex r <> " or the side from it lies between them"
-           | CornerId r <- hiders rays (CornerId p) (CornerId q)
-           ]
+        <> ["they are in one place" | samePlace scene p q]
+        <> [ "corner " <> cornerLabel complex r <> " or the side from it lies between them" | r <- hiders rays p q]
       where
         scene = complexScene complex
 
@@ -212,8 +205,8 @@ sweptVertices =
     "A sweep of the scene finds the same vertices, each once: maximal free segments with two or more corners, all of \
     \them, so that consecutive ones see each other."
     $ \complex ->
-      let have = counted [cornersOf complex v | v <- [0 .. vertexTotal complex - 1]]
-          found = counted [[c | CornerId c <- vertexCorners v] | v <- vertices (complexScene complex)]
+      let have = counted (map (cornersOf complex) (vertexIds complex))
+          found = counted (map vertexCorners (vertices (complexScene complex)))
           text = unwords . map (cornerLabel complex)
        in [ text line <> (if times > (1 :: Int) then " is there " <> show times <> " times" else " is no vertex")
           | (line, times) <- Map.toList have

@@ -38,6 +38,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import Visibility.Exact.Predicate
 import Visibility.Scene
+import Visibility.Scene.Cone (besides, turned)
 import Visibility.Sweep.Vertical
 
 -- Note [Taut paths]
@@ -215,16 +216,9 @@ cornerAhead tree p = case Map.lookup p (targets tree) of
   Just (ToCorner q) -> Just q
   _ -> Nothing
 
--- | The corners at the other ends of the two sides of a corner.
-besides :: Scene -> CornerId -> [CornerId]
-besides scene c = [nextCorner scene c, previousCorner scene c]
-
 -- | Is the second corner ahead of the first, seen by the heading?
 goesTo :: Tree -> CornerId -> CornerId -> Bool
 goesTo tree = comesBefore (heading tree)
 
 comesBefore :: Heading -> CornerId -> CornerId -> Bool
 comesBefore way (CornerId p) (CornerId q) = before way p q
-
-turned :: Scene -> CornerId -> CornerId -> CornerId -> Turn
-turned scene (CornerId a) (CornerId b) (CornerId c) = turn (scenePoints scene) a b c
