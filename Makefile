@@ -88,6 +88,10 @@ bench-peers: build ## time the visibility graph against CGAL's, on the same scen
 figures: ## turn the SVG in out/ into PNG, 800 pixels wide
 	@tools/png.sh
 
+.PHONY: man
+man: build ## write the manual page, out/viscomplex.1
+	@mkdir -p out && bin/viscomplex --man > out/viscomplex.1 && echo out/viscomplex.1
+
 .PHONY: clean
 clean: ## remove all that was built
 	@rm -rf dist-newstyle bin out

@@ -4,7 +4,8 @@ module Command.ConductSpec (spec) where
 import Command.Run
 import Data.Char (isAlpha)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, isPrefixOf, nub)
+import Data.List (isInfixOf, isPrefixOf, nub, sort)
+import System.Process (readProcessWithExitCode)
 import Test.Hspec
 
 spec :: Spec
@@ -51,13 +52,62 @@ spec = do
       options <- optionsIn <$> output ("help" : words command) ""
       for_ options $ \option -> page `shouldSatisfy` isInfixOf option
   it "completion knows commands, figures and values" $ do
-    let asked wanted = concatMap (\word -> ["--bash-completion-word", word]) ("viscomplex" : wanted)
-        completed wanted position =
-          lines <$> output (["--bash-completion-index", show (position :: Int)] <> asked wanted) ""
     completed ["gra"] 1 >>= (`shouldBe` ["graph"])
     completed ["draw", "mat"] 2 >>= (`shouldBe` ["matrix"])
     completed ["graph", "--arithmetic", "f"] 3 >>= (`shouldBe` ["filtered"])
+  it "every option with a value states its default, or that it is required" $
+    for_ ("generate" : commands) $ \command -> do
+      page <- lines <$> output ("help" : words command) ""
+      let stated = [(option, isStated text) | (option, text) <- described page, isOption option]
+      length stated `shouldSatisfy` (>= 3)
+      [option | (option, False) <- stated] `shouldBe` []
+  it "completion gives all values that help lists, and each is taken or lacks only its number" $
+    for_ commands $ \command -> do
+      page <- lines <$> output ("help" : words command) ""
+      let options = [(option, cut shape) | (heading, _) <- described page, [option, shape] <- [words heading]]
+      for_ [(option, values) | (option, values@(_ : _ : _)) <- options, option /= "-o,--output"] $
+        \(option, values) -> do
+          offered <- completed (words command <> ["x", option, ""]) (length (words command) + 3)
+          sort offered `shouldBe` sort (map (filter (/= 'N')) values)
+          for_ values $ \value -> do
+            let number = map (\c -> if c == 'N' then '3' else c) value
+            (_, _, err) <- run (words command <> ["/no/such", option, number]) ""
+            (command, option, value, "is none of" `isInfixOf` err) `shouldBe` (command, option, value, False)
+  it "families are completed as help lists them" $ do
+    page <- output ["help", "generate"] ""
+    offered <- filter ((/= "-") . take 1) <$> completed ["generate", ""] 2
+    length offered `shouldSatisfy` (> 10)
+    for_ offered $ \family -> page `shouldSatisfy` isInfixOf ("\n  " <> family <> " ")
+  it "a line on the terminal tells progress after a second, but not with --quiet, nor elsewhere" $ do
+    exe <- executable
+    let call options = "(sleep 2; cat scenes/room.json) | " <> unwords ([exe, "info -"] <> options <> ["> /dev/null"])
+        onTerminal options = readProcessWithExitCode "script" ["-qec", call options, "/dev/null"] ""
+    (_, shown, _) <- onTerminal []
+    shown `shouldSatisfy` isInfixOf "\ESC[K"
+    (_, silent, _) <- onTerminal ["--quiet"]
+    silent `shouldBe` ""
   where
+    -- What stands at the left of a page of help, and the text beside and below it.
+    described page = case dropWhile (not . isHeading) page of
+      [] -> []
+      line : rest ->
+        let (below, later) = span (\l -> take 4 l == "    ") rest
+            (heading, text) = splitAt 27 line
+            (option, beside) = if take 2 (reverse heading) == "  " then (heading, text) else (line, "")
+         in (unwords (words option), unwords (words (unwords (beside : below)))) : described later
+    isHeading line = take 2 line == "  " && take 1 (drop 2 line) == "-"
+    isOption heading = length (words heading) == 2
+    isStated text = "(default: " `isInfixOf` text || "(required)" `isInfixOf` text
+    cut shape = case break (== '|') shape of
+      (value, _ : more) -> value : cut more
+      (value, []) -> [value]
+    completed wanted position =
+      lines
+        <$> output
+          ( ["--bash-completion-index", show (position :: Int)]
+              <> concatMap (\word -> ["--bash-completion-word", word]) ("viscomplex" : wanted)
+          )
+          ""
     commands =
       words "info graph complex factors mesh view radiosity verify"
         <> map ("draw " <>) (words "scene dual matrix view mesh radiosity sweep")
