@@ -3,23 +3,26 @@
 -- For each scene: time, allocation and chain steps of the topological sweep per elementary visible pair, the best of
 -- several runs in this process; and the time as a ratio to that at 2^8 corners. Then, per vertex, the time of both
 -- schedulers and of all tables of the complex, the sweep included, as ratios to the topological sweep alone. Then
--- views: walking in the complex against asking every side. Arguments: names of families; none means all.
+-- views: walking in the complex against asking every side. At last the growth of all commands, on adversarial kinds of
+-- scenes too, see "Ladder.Growth". Arguments: names of families and kinds, none means all; and @growth@, for the growth
+-- alone.
 module Main (main) where
 
 import Bench.Scenes
 import Control.Exception (evaluate)
-import Control.Monad (forM_, replicateM, unless, zipWithM)
+import Control.Monad (forM_, unless, zipWithM)
 import Data.Foldable (traverse_)
 import Data.IORef (newIORef, readIORef)
-import Data.List (find, transpose, zip4)
-import Data.Maybe (isNothing, mapMaybe)
+import Data.List (find, zip4)
 import qualified Data.Text as Text
 import GHC.Stats (getRTSStats, getRTSStatsEnabled, allocated_bytes)
+import Ladder.Growth
+import Ladder.Kind
+import Ladder.Time
 import Numeric (showFFloat)
 import System.CPUTime (getCPUTime)
 import System.Environment (getArgs)
 import System.Exit (die)
-import System.Mem (performGC)
 import Visibility.Complex (Complex, complexOf, complexScene, faceIds)
 import Visibility.Complex.Walk (Look (..), lookAround)
 import Visibility.Exact.Point (Point (..))
@@ -34,16 +37,22 @@ import Visibility.Test.SweepLaw (searchWork)
 
 main :: IO ()
 main = do
-  names <- getArgs
-  let unknown = filter (isNothing . familyNamed . Text.pack) names
-      chosen = if null names then [minBound ..] else mapMaybe (familyNamed . Text.pack) names
-  unless (null unknown) $ die ("no family is named " <> unwords unknown)
+  arguments <- getArgs
+  let names = filter (/= "growth") arguments
+      chosen = [kind | kind <- [minBound ..], null names || Text.unpack (familyName kind) `elem` names]
+  climbing <- either (die . ("no kind is named " <>) . unwords) pure (kindsNamed names)
+  unless ("growth" `elem` arguments) $ sweeps chosen
+  growth climbing
+
+-- | The tables of the sweep, the complex, views and form factors.
+sweeps :: [Family] -> IO ()
+sweeps chosen = do
   enabled <- getRTSStatsEnabled
   unless enabled $ die "allocations are counted: run with +RTS -T"
   putStrLn (row ["family", "corners", "pairs", "pairs/corner", "us/pair", "growth", "bytes/pair", "steps/pair"])
   forM_ chosen $ \kind -> do
     let scenes = map (sceneOf kind) (ladder kind)
-    times <- bestTimes scenes (length . vertices)
+    times <- bestTimes 7 scenes (length . vertices)
     rungs <- zipWithM measured scenes times
     let base = find ((>= 250) . rungCorners) rungs
     traverse_ (putStrLn . rungText (Text.unpack (familyName kind)) base) rungs
@@ -51,9 +60,9 @@ main = do
   putStrLn (row ["per vertex", "corners", "vertices", "topological", "straight", "ratio", "tables", "ratio"])
   forM_ chosen $ \kind -> do
     let scenes = map (sceneOf kind) (ladder kind)
-    stream <- bestTimes scenes (length . vertices)
-    straight <- bestTimes scenes (length . straightVertices)
-    tables <- bestTimes scenes (length . faceIds . complexOf)
+    stream <- bestTimes 7 scenes (length . vertices)
+    straight <- bestTimes 7 scenes (length . straightVertices)
+    tables <- bestTimes 7 scenes (length . faceIds . complexOf)
     forM_ (zip4 scenes stream straight tables) $ \(scene, a, b, c) -> do
       let count = length (vertices scene)
           each seconds = microseconds (seconds / fromIntegral count)
@@ -69,7 +78,7 @@ main = do
         perView total = total / fromIntegral (length places) :: Double
         faces = sum [lookSteps look | Right look <- map (lookAround complex) places]
         looks found = sum [length (lookSights look) | Right look <- map (lookAround found) places]
-    walking <- sum <$> bestTimes [complex] looks
+    walking <- sum <$> bestTimes 7 [complex] looks
     scanning <- scanned scene (perView walking)
     putStrLn . row $
       [ "random"
@@ -82,7 +91,7 @@ main = do
   putStrLn ""
   putStrLn (row ["factors", "corners", "pairs", "", "us/pair"])
   let scenes = map (sceneOf Random) [25, 100, 400]
-  times <- bestTimes scenes (\s -> length (measureList s (measures s (vertices s))))
+  times <- bestTimes 7 scenes (\s -> length (measureList s (measures s (vertices s))))
   forM_ (zip scenes times) $ \(scene, seconds) -> do
     let pairs = pairCount scene
     putStrLn (row ["random", show (cornerCount scene), show pairs, "", microseconds (seconds / fromIntegral pairs)])
@@ -139,28 +148,6 @@ measured scene seconds = do
   after <- allocated_bytes <$> getRTSStats
   pure (Rung (cornerCount scene) pairs seconds (fromIntegral (after - before)) steps)
 
--- | The least processor time of some work on each scene. The scenes take turns, so that a machine that is slower for a
--- while is so for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that
--- no run can share the result of another.
-bestTimes :: [a] -> (a -> Int) -> IO [Double]
-bestTimes scenes work = do
-  cells <- mapM newIORef scenes
-  turns <- replicateM rounds (mapM turn cells)
-  pure (map minimum (transpose turns))
-  where
-    rounds = 7 :: Int
-    turn cell = do
-      performGC
-      first <- once cell
-      others <- replicateM (min 50 (floor (0.05 / max 1e-6 first))) (once cell)
-      pure (minimum (first : others))
-    once cell = do
-      scene <- readIORef cell
-      begun <- getCPUTime
-      _ <- evaluate (work scene)
-      ended <- getCPUTime
-      pure (fromInteger (ended - begun) / 1e12 :: Double)
-
 rungText :: String -> Maybe Rung -> Rung -> String
 rungText name base rung =
   row
@@ -175,9 +162,3 @@ rungText name base rung =
     ]
   where
     perPair r = rungSeconds r / fromIntegral (rungPairs r)
-
-microseconds :: Double -> String
-microseconds seconds = showFFloat (Just 2) (seconds * 1e6) ""
-
-row :: [String] -> String
-row = concatMap (\cell -> replicate (13 - length cell) ' ' <> cell)
