@@ -141,6 +141,15 @@ spec = do
               `shouldBe` []
       it "is right on the points that Doubles get wrong" $
         [(x, y) | (x, y) <- classroom, turn (classroomPoints arithmetic x y) 0 1 2 /= compareAsTurn y x] `shouldBe` []
+    modifyMaxSuccess (* 20) $
+      it "is the sign of the determinant where machine integers are given one by one" $
+        property $ \(Triple a b c) ->
+          let (a', b', c') = (cut a, cut b, cut c)
+              cut (Vector2 x y) = Vector2 (min limit x) (min limit y)
+              limit = 2 ^ (31 :: Int) - 1
+              given (Vector2 x y) = (fromInteger x, fromInteger y)
+              ((ax, ay), (bx, by), (cx, cy)) = (given a', given b', given c')
+           in machineTurn ax ay bx by cx cy === determinant (Triple a' b' c')
     it "is wrong under Doubles without a bound: they find corners on a line that are not, and know no better" $
       let wrong = [(x, y) | (x, y) <- classroom, turn (classroomPoints UnsafeDouble x y) 0 1 2 /= compareAsTurn y x]
        in (length wrong > 500, [turn (classroomPoints a 3 4) 0 1 2 | a <- [Exact, Filtered, UnsafeDouble]])
