@@ -87,6 +87,12 @@ instance Arbitrary Fractions where
 under :: Arithmetic -> Triple -> Points
 under arithmetic (Triple a b c) = placed arithmetic [a, b, c]
 
+-- | With coordinates below a number, at least 1.
+below :: Integer -> Triple -> Triple
+below limit (Triple a b c) = Triple (cut a) (cut b) (cut c)
+  where
+    cut (Vector2 x y) = Vector2 (min (limit - 1) x) (min (limit - 1) y)
+
 -- | The sign of the determinant, expanded in another way than the kernels compute it.
 determinant :: Triple -> Turn
 determinant (Triple (Vector2 ax ay) (Vector2 bx by) (Vector2 cx cy)) =
@@ -141,15 +147,14 @@ spec = do
               `shouldBe` []
       it "is right on the points that Doubles get wrong" $
         [(x, y) | (x, y) <- classroom, turn (classroomPoints arithmetic x y) 0 1 2 /= compareAsTurn y x] `shouldBe` []
-    modifyMaxSuccess (* 20) $
+    modifyMaxSuccess (* 20) $ do
       it "is the sign of the determinant where machine integers are given one by one" $
-        property $ \(Triple a b c) ->
-          let (a', b', c') = (cut a, cut b, cut c)
-              cut (Vector2 x y) = Vector2 (min limit x) (min limit y)
-              limit = 2 ^ (31 :: Int) - 1
-              given (Vector2 x y) = (fromInteger x, fromInteger y)
-              ((ax, ay), (bx, by), (cx, cy)) = (given a', given b', given c')
-           in machineTurn ax ay bx by cx cy === determinant (Triple a' b' c')
+        property $ \triple ->
+          let Triple (Vector2 ax ay) (Vector2 bx by) (Vector2 cx cy) = below (2 ^ (31 :: Int)) triple
+              i = fromInteger
+           in machineTurn (i ax) (i ay) (i bx) (i by) (i cx) (i cy) === determinant (below (2 ^ (31 :: Int)) triple)
+      it "is the sign of the determinant under Doubles too, where none of their bits is lost" $
+        property $ \triple -> let t = below (2 ^ (25 :: Int)) triple in turn (under UnsafeDouble t) 0 1 2 === determinant t
     it "is wrong under Doubles without a bound: they find corners on a line that are not, and know no better" $
       let wrong = [(x, y) | (x, y) <- classroom, turn (classroomPoints UnsafeDouble x y) 0 1 2 /= compareAsTurn y x]
        in (length wrong > 500, [turn (classroomPoints a 3 4) 0 1 2 | a <- [Exact, Filtered, UnsafeDouble]])

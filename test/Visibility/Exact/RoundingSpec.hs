@@ -152,10 +152,11 @@ spec = do
           , (1, 11, 11, -2)
           , (1, 104963, 115238, -20)
           , (65, 1, 1, -2)
+          , (3, 41, 41, 0)
           ]
       ]
         `shouldBe` [Just "1.00", Just "0.250", Nothing, Nothing, Nothing, Just "2", Just "3", Just "0.1"]
-          <> [Just ("0.25" ++ replicate 63 '0')]
+          <> [Just ("0.25" ++ replicate 63 '0'), Just "41.0"]
     it "is none where it is not asked for: of no positive numbers, of large ones, and of multiples of 2" $
       [ digits n >>= (`decimalBetween` Scaled low high k)
       | (n, low, high, k) <- [(3, 0, 4, -3), (3, -4, 4, -3), (3, 8000, 8000, -3), (3, 3, 3, 1)]
