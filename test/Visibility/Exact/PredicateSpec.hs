@@ -165,6 +165,13 @@ spec = do
         property $ \(Headings a b c d) ->
           let p = placed arithmetic [a, b, c, d]
            in headingTurn p 0 1 2 3 === directionTurn (direction p 0 1) (direction p 2 3)
+      it "is that also where the headings have a corner in common" $
+        property $ \t ->
+          let p = under arithmetic t
+           in conjoin
+                [ headingTurn p i j k l === directionTurn (direction p i j) (direction p k l)
+                | (i, j, k, l) <- [(0, 1, 0, 2), (0, 1, 1, 2), (0, 1, 2, 0), (0, 1, 2, 1)]
+                ]
       it "is antisymmetric, in the headings and in each of them" $
         property $ \(Headings a b c d) ->
           let p = placed arithmetic [a, b, c, d]
@@ -203,6 +210,13 @@ spec = do
           , property (compareDirections a b == GT || compareDirections b c == GT || compareDirections a c /= GT)
           , compareDirections a b === compare (angle a) (angle b)
           ]
+  describe "an arc" $
+    modifyMaxSuccess (* 10) $
+      it "has inside what is met on the way from its beginning to its end, and is half a turn between parallels" $
+        property $ \(Short a) (Short b) (Short c) ->
+          let from d = let angles = fullTurn d - fullTurn a in if angles < 0 then angles + 4 else angles
+              size = if directionTurn a b == Collinear then 2 else from b
+           in insideArc directionTurn (a, b) c === (0 < from c && from c < size)
   describe "between the lattice's points" $
     it "every exact arithmetic has the sign of the rational determinant" $
       property $ \(Fractions places) ->
@@ -223,6 +237,19 @@ spec = do
         `shouldBe` ([minBound .. maxBound], Collinear)
   where
     flipped o = case o of LT -> GT; EQ -> EQ; GT -> LT
+
+-- | A direction of few others.
+newtype Short = Short Direction
+  deriving (Show)
+
+instance Arbitrary Short where
+  arbitrary = Short <$> elements [Direction x y | x <- [-2 .. 2], y <- [-2 .. 2], (x, y) /= (0, 0)]
+
+-- | An order-preserving stand-in for the angle of any direction, below 4, of which half a turn is 2.
+fullTurn :: Direction -> Rational
+fullTurn (Direction x y) = if y >= 0 then 1 - part else 3 + part
+  where
+    part = x % (abs x + abs y)
 
 -- | A right-going direction.
 newtype Line = Line Direction
