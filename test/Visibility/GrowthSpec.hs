@@ -31,11 +31,12 @@ import Visibility.Format.Mesh (meshDocument)
 import Visibility.Mesh
 import Visibility.Radiosity
 import Visibility.Scene
-import Visibility.Scene.Family (Family (Grid, Random), Seed (..), family, size)
+import Visibility.Scene.Family (Family (Ceiling, Grid, Random, Tower), Seed (..), family, size)
 import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Adversary
+import Visibility.Test.Part
 import Visibility.View (events)
 
 spec :: Spec
@@ -81,12 +82,25 @@ spec = do
          in drawn (matrixDrawing (factorMatrix s factors)) `seq` Just (sum (map (length . rowFactors) factors))
       grow "the pairs of the dual figure" checked $ \s ->
         drawn (dualDrawing s (events s (vertices s))) `seq` Just (pairsOf s (vertices s))
+  for_ harmless $ \(kind, few, many) ->
+    describe ("bytes allocated, on scenes of the kind " <> kind) $ do
+      it "grow in proportion to the corners that are checked" $
+        growing few many Just (fmap cornerCount . checked) >>= shouldBeSlow
+      for_ (filter ((`elem` wholeCommands) . partName) parts) $ \part ->
+        it ("grow in proportion to input and output of " <> partName part) $
+          growing few many checked (\s -> Just (sceneUnits s + writtenUnits (partBytes part s))) >>= shouldBeSlow
   describe "bytes allocated, on scenes with a long name" $
     it "grow in proportion to the name, in a figure that has no room for it" $
       growth (\n -> named (100 * n) <$> scenesOf Random 2) checked namedFigure
         >>= shouldBeSlow
   where
     adversaries = [ConvexRoom, Star, NeedleFan]
+    harmless =
+      [ (adversaryName kind, Just (adversary kind 16), Just (adversary kind 64))
+      | kind <- [OneContact, Column, Slalom, WallRow, Spiral]
+      ]
+        <> [(show kind, scenesOf kind 4, scenesOf kind 8) | kind <- [Ceiling, Tower]]
+    wholeCommands = ["info", "graph", "graph --scheduler straight", "complex", "factors", "factors --exact", "mesh"]
     written = fromIntegral . Lazy.length . toLazyByteString :: Builder -> Int
     drawn = fromIntegral . Lazy.length . renderSvg :: Drawing -> Int
     namedFigure s = drawn (sceneDrawing s (vertices s)) `seq` (Text.length <$> sceneTitle s)
@@ -115,16 +129,20 @@ shouldBeSlow found = found `shouldSatisfy` maybe False (\(Growth few many) -> fe
 
 -- | Of a piece of work, which tells of how many parts its result is. What it begins with is made before.
 growth :: (Int -> Maybe RawScene) -> (RawScene -> Maybe a) -> (a -> Maybe Int) -> IO (Maybe Growth)
-growth scenes prepare work = do
-  few <- bytes 12
-  many <- bytes 48
+growth scenes = growing (scenes 12) (scenes 48)
+
+-- | The same, from a small scene to a large one.
+growing :: Maybe RawScene -> Maybe RawScene -> (RawScene -> Maybe a) -> (a -> Maybe Int) -> IO (Maybe Growth)
+growing small large prepare work = do
+  few <- bytes small
+  many <- bytes large
   pure (Growth <$> few <*> many)
   where
-    bytes n = case scenes n >>= prepare of
+    bytes scene = case scene >>= prepare of
       Nothing -> pure Nothing
       Just begun -> do
-        (allocated, parts) <- allocation begun work
-        pure (fmap (\k -> fromIntegral allocated / fromIntegral k) parts)
+        (allocated, pieces) <- allocation begun work
+        pure (fmap (\k -> fromIntegral allocated / fromIntegral k) pieces)
 
 -- | How many bytes a thread allocates for a result, and the result. What it begins with comes out of a cell, so that
 -- nothing is known of it beforehand.
