@@ -210,6 +210,11 @@ spec = do
           , property (compareDirections a b == GT || compareDirections b c == GT || compareDirections a c /= GT)
           , compareDirections a b === compare (angle a) (angle b)
           ]
+  describe "the filter" $
+    it "leaves close turns to integers, and no clear ones" $
+      let far = 2 ^ (40 :: Int)
+          beside d = placed Filtered [Vector2 0 far, Vector2 far far, Vector2 (2 * far) (far + d)]
+       in [filterTurn (beside d) 0 1 0 2 | d <- [far, -far, 0]] `shouldBe` [Just LeftTurn, Just RightTurn, Nothing]
   describe "an arc" $
     modifyMaxSuccess (* 10) $
       it "has inside what is met on the way from its beginning to its end, and is half a turn between parallels" $
