@@ -23,6 +23,7 @@ import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Matrix (factorMatrix, matrixDrawing)
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.Scene (sceneDrawing)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Exact.RootSum (terms)
 import Visibility.Exact.Rounding (decimal, defaultDigits)
 import Visibility.FormFactor
@@ -36,6 +37,7 @@ import Visibility.Scene.Raw
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep
 import Visibility.Test.Adversary
+import Visibility.Test.Mistake (mistaken, mistakeName)
 import Visibility.Test.Part
 import Visibility.View (events)
 
@@ -89,6 +91,25 @@ spec = do
       for_ (filter ((`elem` wholeCommands) . partName) parts) $ \part ->
         it ("grow in proportion to input and output of " <> partName part) $
           growing few many checked (\s -> Just (sceneUnits s + writtenUnits (partBytes part s))) >>= shouldBeSlow
+  describe "bytes allocated for all that is wrong with a scene" $ do
+    let grow what scenes =
+          it (what <> " grow in proportion to its corners and what is wrong") $
+            growth (Just . scenes) Just (\raw -> either (Just . (cornersIn raw +) . length) (const Nothing) (validate raw))
+              >>= shouldBeSlow
+        bodies :: (Int -> [(Int, Int)]) -> Int -> RawScene
+        bodies outlineOf n = RawScene Nothing Nothing [rawPolygon (map point (outlineOf k)) | k <- [0 .. n - 1]]
+        point (x, y) = Point (fromIntegral x) (fromIntegral y)
+        one <+> other = one {rawPolygons = rawPolygons one <> rawPolygons other}
+        -- All corners of it are on a parabola, those that follow each other far away.
+        jumping n = bodies (const [(x, x * x) | k <- [0 .. n], let x = k * (n `div` 2) `mod` (n + 1)]) 1
+        chevron k = [(-400, 4 * k), (0, 4 * k + 800), (400, 4 * k), (0, 4 * k + 802)]
+        shifted by = map (\(x, y) -> (x + by, y))
+        nested k = shifted (900 + 9 * (k - k `mod` 2)) (if even k then [(0, 0), (8, 0), (0, 8)] else [(1, 1), (2, 1), (1, 2)])
+    for_ [minBound .. maxBound] $ \kind -> grow (mistakeName kind) (mistaken kind)
+    grow "a polygon of which each side crosses most others" jumping
+    grow "triangles in one point of which each overlaps the next" (bodies (\k -> [(0, 0), (2 * k, 999), (2 * k + 3, 999)]))
+    grow "bent polygons within the boxes of others, and four that are inside of others" $ \n ->
+      bodies chevron n <+> bodies nested 8
   describe "bytes allocated, on scenes with a long name" $
     it "grow in proportion to the name, in a figure that has no room for it" $
       growth (\n -> named (100 * n) <$> scenesOf Random 2) checked namedFigure
@@ -101,6 +122,7 @@ spec = do
       ]
         <> [(show kind, scenesOf kind 4, scenesOf kind 8) | kind <- [Ceiling, Tower]]
     wholeCommands = ["info", "graph", "graph --scheduler straight", "complex", "factors", "factors --exact", "mesh"]
+    cornersIn = sum . map cornerTotal . rawPolygons
     written = fromIntegral . Lazy.length . toLazyByteString :: Builder -> Int
     drawn = fromIntegral . Lazy.length . renderSvg :: Drawing -> Int
     namedFigure s = drawn (sceneDrawing s (vertices s)) `seq` (Text.length <$> sceneTitle s)

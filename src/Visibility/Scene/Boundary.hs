@@ -19,8 +19,6 @@ import Data.Maybe (mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import qualified Data.Vector.Unboxed.Mutable as M
-import Visibility.Exact.Predicate
-import Visibility.Scene.Contact (rankedPoints)
 import Visibility.Scene.Outline
 import Visibility.Scene.Raw (Form (..))
 import Visibility.Scene.Touching
@@ -105,7 +103,7 @@ followersAt _ [(g, _, _)] [(f, _, _)] = [(f, g)]
 followersAt o starting ending = go (take 1 [g | (Starts, (g, _, _)) <- turning]) (reverse turning)
   where
     turning = sortBy order (map ((,) Starts) starting <> map ((,) Ends) ending)
-    order (event, way) (event', way') = angleOrder o way way' <> compare event event'
+    order (event, (_, x, a)) (event', (_, _, b)) = angleOrder o x a b <> compare event event'
     go _ ((Starts, (g, _, _)) : before) = go [g] before
     go next ((Ends, (f, _, _)) : before) = map ((,) f) next <> go next before
     go _ [] = []
@@ -151,14 +149,6 @@ wholeSides o = runST $ do
     front i = fromIntegral (news U.! i) :: Int
     back i = if hasTwo i then front i + 1 else front i
     after = around o 1
-
--- | The order of directions from a place, each given by a corner there and another one: counter-clockwise, from the one
--- that leads down, and from there on to the right.
-angleOrder :: Outline -> (Int, Int, Int) -> (Int, Int, Int) -> Ordering
-angleOrder o (_, x, a) (_, _, b) =
-  compare (half a) (half b) <> turnOrder (turn (rankedPoints (outlineRanked o)) x a b)
-  where
-    half c = placeOf o c < placeOf o x
 
 -- | What lies along a piece between two places, the first the lesser one. Sides by number.
 data Occupant

@@ -5,7 +5,7 @@ module Visibility.Scene.Boxes
   ( -- * Boxes
     Box (..)
   , boxesOverlap
-  , boxContains
+  , boxSurrounds
   , enclosingBox
     -- * The tree
   , BoxTree
@@ -30,10 +30,10 @@ boxesOverlap :: Box -> Box -> Bool
 boxesOverlap (Box l r b t) (Box l' r' b' t') = l <= r' && l' <= r && b <= t' && b' <= t
 {-# INLINE boxesOverlap #-}
 
--- | Is every point of the second box one of the first?
-boxContains :: Box -> Box -> Bool
-boxContains (Box l r b t) (Box l' r' b' t') = l <= l' && r' <= r && b <= b' && t' <= t
-{-# INLINE boxContains #-}
+-- | Is every point of the second box strictly inside of the first one?
+boxSurrounds :: Box -> Box -> Bool
+boxSurrounds (Box l r b t) (Box l' r' b' t') = l < l' && r' < r && b < b' && t' < t
+{-# INLINE boxSurrounds #-}
 
 -- | The smallest box around others; around none, a box that overlaps nothing finite.
 enclosingBox :: [Box] -> Box

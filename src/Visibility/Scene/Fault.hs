@@ -4,8 +4,10 @@ module Visibility.Scene.Fault
   ( placed
   ) where
 
+import Data.Either (isLeft)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -14,149 +16,159 @@ import Visibility.Exact.Predicate
 import Visibility.Scene.Boxes
 import Visibility.Scene.Contact
 import Visibility.Scene.Id
+import Visibility.Scene.Limb
 import Visibility.Scene.Outline
 import Visibility.Scene.Raw
 import Visibility.Scene.Touching
 
--- | Where polygons touch; or what is wrong, by polygon, in no promised order and some of it several times. A fault of
--- two polygons is given with the first one; that of a polygon inside of another one, or outside of the enclosure, with
--- that polygon. The shapes are those of the outline.
+-- Note [Few to compare]
+-- ~~~~~~~~~~~~~~~~~~~~~
+-- What is wrong is found without a comparison of all with all. Of two sides that cross, one is 'tangled'. Of two
+-- polygons of which one is inside of the other, one is a culprit of 'touching'. Parts of polygons that overlap in a
+-- place are found as intervals of directions that do. There are at most about twice as many tangled sides and culprits
+-- as there are faults, so little is compared that has nothing wrong.
+
+-- | Where polygons touch; or what is wrong. By polygon: what it has wrong at its own corners; then what else is wrong
+-- with it and with polygons that come after it, first as a whole and then by corner or side, each in no promised order
+-- and some of it several times. A polygon inside of another one, or outside of the enclosure, comes with itself. The
+-- shapes are those of the outline.
 --
--- /Cost/ O(n log n) where nothing is wrong. Else, while what is wrong is consumed, besides O(1) for each pair of sides
--- whose boxes overlap, and for each pair of polygons of which one has its box in the other's a query in a tree of
--- sides, which is O(√n) as a rule and O(n) at worst. If 'culprits' finds a few polygons, only pairs with one of those
--- count.
-placed :: [Shape] -> Outline -> Either [[SceneError]] Contacts
+-- /Cost/ O(n log n) where nothing is wrong. Else what is wrong is found while it is consumed, in O(n) memory. Each
+-- tangled side is compared with what has a box that overlaps its own, and each culprit with what has a box around its
+-- own or inside of it, see Note [Few to compare].
+placed :: [Shape] -> Outline -> Either [([SceneError], [[SceneError]])] Contacts
 placed shapes o = case touching o of
   Right found | IntSet.null marred -> Right found
-  _ -> Left (faults (V.fromList shapes) o (V.fromList wrongs) (culprits shapes marred))
+  Left ps | IntSet.null marred -> wrongBy (culprits shapes (IntSet.fromList ps))
+  _ -> wrongBy (culprits shapes marred)
   where
+    wrongBy = Left . faults (V.fromList shapes) o (V.fromList wrongs)
     wrongs = map wrong polygons
     wrong p = if placeTotal o < outlineTotal o || goesStraight o p then alone o p else []
     -- Those that have something wrong at their own corners.
     marred = IntSet.fromList [p | (p, _ : _) <- zip polygons wrongs]
     polygons = polygonIndices o
 
--- | A few polygons without which nothing would be wrong, those given among them; 'Nothing' if it takes more tries to
--- find them than a few.
+-- | Polygons without which nothing would be wrong, those given among them.
 --
--- /Cost/ that of some times 'touching'.
-culprits :: [Shape] -> IntSet.IntSet -> Maybe IntSet.IntSet
-culprits shapes = go (3 :: Int)
+-- /Cost/ that of a few times 'touching': once for boundaries, once for where polygons are.
+culprits :: [Shape] -> IntSet.IntSet -> IntSet.IntSet
+culprits shapes found = case touching (outline (map snd others)) of
+  Right _ -> found
+  Left ps -> culprits shapes (foldr (IntSet.insert . fst . (V.fromList others V.!)) found ps)
   where
-    go tries found = case touching (outline (map snd others)) of
-      Right _ -> Just found
-      Left ps
-        | tries > 1 -> go (tries - 1) (foldr (IntSet.insert . fst . (V.fromList others V.!)) found ps)
-        | otherwise -> Nothing
-      where
-        others = [(p, shape) | (p, shape) <- zip [0 ..] shapes, p `IntSet.notMember` found]
+    others = [(p, shape) | (p, shape) <- zip [0 ..] shapes, p `IntSet.notMember` found]
 
--- | A meeting of boundaries, by the indices of corners and of the corners that start segments.
-data Contact
-  = -- | Two corners in one place.
-    AtCorners !Int !Int
-  | -- | A corner between the ends of a segment.
-    OnSegment !Int !Int
-  | -- | Two segments that cross in a point that is an end of neither.
-    Cross !Int !Int
+-- | Of two polygons whose boundaries meet: do these cross, do the polygons overlap in a place where they meet?
+data Relation = Relation !Bool !Bool
 
 -- | All that is wrong, given what polygons have wrong at their own corners, and 'culprits'.
-faults :: V.Vector Shape -> Outline -> V.Vector [SceneError] -> Maybe IntSet.IntSet -> [[SceneError]]
-faults shapes o wrongs few = [wrongs V.! p <> inItself p <> withLater p <> position p | p <- polygons]
+faults :: V.Vector Shape -> Outline -> V.Vector [SceneError] -> IntSet.IntSet -> [([SceneError], [[SceneError]])]
+faults shapes o wrongs guilty =
+  [ (wrongs V.! p, (alongItself p <> overlaps p relations <> position p relations) : map (atCorner p) (cornersOf o p))
+  | p <- polygons
+  , let relations = related p
+  ]
   where
     polygons = polygonIndices o
     owner = ownerOf o
     id' = (outlineIds o V.!)
-    isCulprit p = maybe True (IntSet.member p) few
+    isRing p = outlineForms o V.! p == Ring
+    isGuilty p = p `IntSet.member` guilty
     crossing s t = CrossingSides (sideNameOf o (min s t)) (sideNameOf o (max s t))
 
-    -- Contacts of a polygon with itself that its own angles do not explain.
-    inItself p =
-      [crossing s t | Cross s t <- own]
-        <> [CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoint o i) | OnSegment i s <- own, isRing p]
-        <> [OverlappingWalls (id' p) (id' p) | not (isRing p), areFine, any (overlap o) own]
-      where
-        own = ownContacts p
-    ownContacts p
-      | isCulprit p && not (isFlat o p) && isUnsound p =
-          [c | s <- segmentStarts o p, t <- ofPolygon p s, s < t, c <- meet o s t, isOwn p c]
-      | otherwise = []
-    isUnsound p = not (null (wrongs V.! p)) || either (const True) (const False) (touching (outline [shapes V.! p]))
-    -- Corners of one ring in one place are the end of one side and the start of the next, or repeated corners. In a
-    -- ring, a corner on a side next but one comes from a spike between.
-    isOwn p c = case c of
-      AtCorners i j -> not (isRing p) && i /= j
-      Cross _ _ -> True
-      OnSegment i s -> not (isRing p) || i /= around o (-1) s && i /= around o 2 s
-    -- Overlaps are told only if no polygon has something wrong with itself.
-    areFine = V.all null wrongs && not (any (any isSevere . ownContacts) polygons)
-    isSevere c = case c of
-      AtCorners _ _ -> False
-      Cross _ _ -> True
-      OnSegment i _ -> isRing (owner i)
-    isRing p = outlineForms o V.! p == Ring
+    -- A side is compared with all others if it is tangled, else with those that are.
+    (knots, cuts) = tangled o
+    isKnot = let these = IntSet.fromList knots in (`IntSet.member` these)
+    passing = IntMap.fromListWith (<>) [(numberOf o c, [s]) | (c, s) <- cuts]
+    partners sides s = near o (if isKnot s then allOf sides else knotsOf sides) (segment s)
+    segment s = Segment s (nexts U.! s)
+    nexts = U.generate (outlineTotal o) (around o 1)
+    meet s t = meeting (outlineRanked o) (segment s) (segment t)
+    inAll = sidesFrom (concatMap (segmentStarts o) polygons)
+    inOne = V.fromList (map (sidesFrom . segmentStarts o) polygons)
+    sidesFrom starts = Sides (gathered (boxFrom o) starts) (gathered (boxFrom o) (filter isKnot starts))
 
-    -- What is wrong with a polygon and others that come after it.
-    withLater p = [crossing s t | Cross s t <- met] <> concatMap overlapError (if areFine then others else [])
+    -- What is wrong at a corner, or with the side from there.
+    atCorner p i =
+      [crossing i t | startsSide p i, t <- partners inAll i, owner t > p, Crossing <- [meet i t]]
+        <> [crossing i t | unsound V.! p, t <- ownCrossings p i]
+        <> [ CornerOnSide (cornerNameOf o i) (sideNameOf o s) (outlinePoint o i)
+           | unsound V.! p
+           , isRing p
+           , s <- ownTouching p i
+           ]
+
+    -- Contacts of a polygon with itself that its own angles do not explain. In a ring, a corner on a side next but one
+    -- comes from a spike between.
+    ownCrossings p i = [t | startsSide p i, t <- partners (inOne V.! p) i, t > i, Crossing <- [meet i t]]
+    ownTouching p i = filter (\s -> i /= around o (-1) s && i /= around o 2 s) (loose <> tight)
       where
-        met = maybe (contactsOf (> p) p) (const (IntMap.findWithDefault [] p byFirst)) few
-        crossed = IntSet.fromList [max (owner s) (owner t) | Cross s t <- met]
-        others = [q | c <- met, overlap o c, let q = snd (ownersOf c), not (hasSolid p q && q `IntSet.member` crossed)]
-        overlapError q
-          | hasSolid p q = [OverlappingPolygons (id' p) (id' q)]
-          | otherwise = [OverlappingWalls (id' p) (id' q)]
+        loose = filter ((== p) . owner) (IntMap.findWithDefault [] (numberOf o i) passing)
+        tight = [s | s <- near o (knotsOf (inOne V.! p)) (Segment i i), isOn i s]
+    isOn i s = case meeting (outlineRanked o) (Segment i i) (segment s) of
+      Touching found -> FirstOnSecond i `elem` found
+      _ -> False
+    startsSide p i = isRing p || i + 1 < outlineFirst o U.! (p + 1)
+    unsound = V.fromList (map isUnsound polygons)
+    isUnsound p =
+      isGuilty p && not (isFlat o p) && (not (null (wrongs V.! p)) || isLeft (touching (outline [shapes V.! p])))
+
+    -- Overlaps are told only if no polygon has something wrong with itself, but that a wall runs along itself.
+    areFine = V.all null wrongs && not (any isSevere polygons)
+    isSevere p = unsound V.! p && (isRing p || any (not . null . ownCrossings p) (cornersOf o p))
+    alongItself p = [OverlappingWalls (id' p) (id' p) | unsound V.! p, areFine]
+    overlaps p relations =
+      [ if hasSolid p q then OverlappingPolygons (id' p) (id' q) else OverlappingWalls (id' p) (id' q)
+      | areFine
+      , (q, Relation cross True) <- IntMap.toList (snd (IntMap.split p relations))
+      , not (hasSolid p q && cross)
+      ]
     hasSolid p q = isRing p || isRing q
-    ownersOf c = case c of
-      AtCorners i j -> inOrder (owner i) (owner j)
-      OnSegment i s -> inOrder (owner i) (owner s)
-      Cross s t -> inOrder (owner s) (owner t)
-    inOrder p q = (min p q, max p q)
-    byFirst =
-      IntMap.fromListWith
-        (<>)
-        [ (fst (ownersOf c), [c])
-        | p <- maybe [] IntSet.toList few
-        , c <- contactsOf (\q -> q > p || q < p && not (isCulprit q)) p
-        ]
-    -- The contacts of a polygon with some others.
-    contactsOf wanted p =
-      [c | s <- segmentStarts o p, t <- near o tree (starts U.!) s, wanted (owner t), c <- meet o s t]
-    starts = U.fromList (concatMap (segmentStarts o) polygons)
-    tree = boxTree (map (boxFrom o) (U.toList starts))
+    limbs = limbsOf o isGuilty passing
+
+    -- The polygons that one crosses or overlaps in places where they meet, and some that it touches.
+    related p = foldl' met (IntMap.fromSet (const (Relation False True)) here) pairs
+      where
+        here = if areFine then IntSet.fromList (overlapping limbs p) else IntSet.empty
+        pairs = [(s, t) | s <- segmentStarts o p, t <- partners inAll s, owner t /= p]
+        met known (s, t) = case meet s t of
+          Apart -> known
+          Crossing -> IntMap.insertWith both (owner t) (Relation True False) known
+          Touching found ->
+            IntMap.insertWith both (owner t) (Relation False (areFine && any (overlap s t) found)) known
+    both (Relation a b) (Relation c d) = Relation (a || c) (b || d)
+    overlap s t touch = case touch of
+      Ends _ _ -> False
+      FirstOnSecond i -> overlapsOn o i t
+      SecondOnFirst i -> overlapsOn o i s
 
     -- Is a polygon inside of another one, or outside of the enclosure? Where boundaries do not meet, one corner speaks
     -- for all.
-    position p
+    position p relations
       | id' p == Enclosure = []
       | otherwise =
           [ NestedPolygon (id' p) (id' q)
-          | q <- foldBoxes (`boxContains` (boxes V.! p)) (flip (:)) [] boxesTree
-          , q /= p
+          | q <- those (`boxSurrounds` (boxes V.! p)) (if isGuilty p then allOf inScene else knotsOf inScene)
           , id' q /= Enclosure
           , isRing q
-          , isCulprit p || isCulprit q
-          , not (touches p q)
+          , q `IntMap.notMember` relations
           , isInside p q
+          , not (touches p q)
           ]
             <> [ OutsideEnclosure (id' p)
                | room <- drop (length polygons - 1) polygons
                , id' room == Enclosure
-               , isCulprit p || isCulprit room
+               , isGuilty p || isGuilty room
                , not (isFlat o room)
-               , not (touches p room)
                , not (isInside p room)
+               , not (touches p room)
                ]
-    touches p q =
-      or [True | s <- segmentStarts o p, t <- ofPolygon q s, _ : _ <- [meet o s t]]
-    -- The segments of a polygon that may meet another one.
-    ofPolygon p = near o (trees V.! p) (outlineFirst o U.! p +)
+    touches p q = or [meet s t /= Apart | s <- segmentStarts o p, t <- near o (allOf (inOne V.! q)) (segment s)]
     boxes = V.fromList [enclosingBox (map (boxFrom o) (segmentStarts o p)) | p <- polygons]
-    boxesTree = boxTree (V.toList boxes)
-    trees = V.fromList [boxTree (map (boxFrom o) (segmentStarts o p)) | p <- polygons]
-    isInside p q = foldBoxes above passed False (trees V.! q)
+    inScene = Sides (gathered (boxes V.!) polygons) (gathered (boxes V.!) (IntSet.toList guilty))
+    isInside p q = odd (length (filter (isBelow r corner . segment) (those above (allOf (inOne V.! q)))))
       where
-        passed inside k = inside /= isBelow r corner (segmentFrom o (outlineFirst o U.! q + k))
         r = outlineRanked o
         corner = outlineFirst o U.! p
         x = column r corner
@@ -166,53 +178,23 @@ faults shapes o wrongs few = [wrongs V.! p <> inItself p <> withLater p <> posit
 boxFrom :: Outline -> Int -> Box
 boxFrom o = segmentBox (outlineRanked o) . segmentFrom o
 
--- | The segments, in a tree where each has a number from which a function makes its start, whose boxes overlap that of
--- a segment.
-near :: Outline -> BoxTree -> (Int -> Int) -> Int -> [Int]
-near o tree start s = foldBoxes (boxesOverlap (boxFrom o s)) (\found k -> start k : found) [] tree
+-- | Items by number, in a tree of their boxes.
+data Gathered = Gathered !BoxTree !(U.Vector Int)
 
--- | The contacts of two segments.
-meet :: Outline -> Int -> Int -> [Contact]
-meet o s t = case meeting (outlineRanked o) (segmentFrom o s) (segmentFrom o t) of
-  Apart -> []
-  Crossing -> [Cross s t]
-  Touching touches -> map touch touches
-  where
-    touch how = case how of
-      Ends a b -> AtCorners a b
-      FirstOnSecond a -> OnSegment a t
-      SecondOnFirst b -> OnSegment b s
+gathered :: (Int -> Box) -> [Int] -> Gathered
+gathered boxOf items = Gathered (boxTree (map boxOf items)) (U.fromList items)
 
--- | Do two polygons that touch in a place overlap there: does one reach into the solid of the other, or are they walls
--- that lie along each other?
---
--- /Requires/ simple rings, and walls without zero lengths. Polygons whose boundaries meet and do not cross overlap if
--- and only if they do at some place of contact.
-overlap :: Outline -> Contact -> Bool
-overlap o contact = case contact of
-  AtCorners i j -> or [clash i one other | one <- atCorner i, other <- atCorner j]
-  OnSegment i s -> or [clash i one other | one <- atCorner i, other <- onSegment s]
-  Cross _ _ -> False
-  where
-    atCorner i = case (solidFlank o (ownerOf o i), joinedTo o i) of
-      (Nowhere, (after, before)) -> map Ray (filter (/= noCorner) [after, before])
-      (flank, (after, before)) -> [arc flank after before]
-    onSegment s = case solidFlank o (ownerOf o s) of
-      Nowhere -> [Ray s, Ray (around o 1 s)]
-      flank -> [arc flank (around o 1 s) s]
-    arc OnLeft ahead behind = Arc ahead behind
-    arc _ ahead behind = Arc behind ahead
-    clash x (Arc a b) (Arc c d) =
-      sameWay x a c || insideArc (turn points x) (a, b) c || insideArc (turn points x) (c, d) a
-    clash x (Arc a b) (Ray c) = insideArc (turn points x) (a, b) c
-    clash x (Ray a) (Arc c d) = insideArc (turn points x) (c, d) a
-    clash x (Ray a) (Ray c) = sameWay x a c
-    sameWay x a b = turn points x a b == Collinear && (placeOf o a > placeOf o x) == (placeOf o b > placeOf o x)
-    points = rankedPoints (outlineRanked o)
+-- | The items whose box has a property, as 'foldBoxes' requires it.
+those :: (Box -> Bool) -> Gathered -> [Int]
+those has (Gathered tree items) = foldBoxes has (\found k -> items U.! k : found) [] tree
+{-# INLINE those #-}
 
--- | What leads away from a place: the open arc of directions that lead into a ring, from one direction
--- counter-clockwise to another, or the direction of a piece of a thin wall. Directions are those to other corners.
-data Limb = Arc !Int !Int | Ray !Int
+-- | All of some sides or polygons, and those among them that must be compared with all.
+data Sides = Sides {allOf :: Gathered, knotsOf :: Gathered}
+
+-- | The sides whose boxes overlap that of a segment.
+near :: Outline -> Gathered -> Segment -> [Int]
+near o sides segment = those (boxesOverlap (segmentBox (outlineRanked o) segment)) sides
 
 -- Does a polygon go straight on or back at a corner, or not away from there? No other one is flat or has a spike.
 goesStraight :: Outline -> Int -> Bool

@@ -21,6 +21,7 @@ module Visibility.Scene.Outline
   , placeTotal
   , numberOf
   , placeOf
+  , angleOrder
   , outlinePoint
     -- * Solids
   , Solid (..)
@@ -39,7 +40,7 @@ import Data.List (foldl')
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
-import Visibility.Exact.Predicate (turn)
+import Visibility.Exact.Predicate (turn, turnOrder)
 import Visibility.Scene.Contact
 import Visibility.Scene.Id
 import Visibility.Scene.Raw
@@ -187,6 +188,18 @@ placeOf :: Outline -> Int -> (Int, Int)
 placeOf o i = (column r i, row r i)
   where
     r = outlineRanked o
+
+-- | The order of directions from the place of a corner, given by other corners: counter-clockwise, from the one that
+-- leads down, and from there on to the right.
+angleOrder :: Outline -> Int -> Int -> Int -> Ordering
+angleOrder o x a b
+  | numberOf o a == numberOf o b = EQ
+  | otherwise = case compare (half a) (half b) of
+      EQ -> turnOrder (turn (rankedPoints (outlineRanked o)) x a b)
+      order -> order
+  where
+    half c = numberOf o c < numberOf o x
+{-# INLINE angleOrder #-}
 
 -- | Where a polygon has its solid, seen on a way along its boundary. A wall has none.
 data Solid = OnLeft | OnRight | Nowhere

@@ -25,6 +25,9 @@ module Visibility.Scene.Scan
   , noSlot
   , sideIn
   , isUnder
+    -- * Taking out
+  , arriving
+  , dropSide
   ) where
 
 import Control.Monad (unless)
@@ -192,6 +195,20 @@ upwardsFrom plane c found = case found of
 sideIn :: Scan s -> Slot -> ST s Segment
 sideIn scan s = Segment <$> get (scanEnds scan) (2 * s) <*> get (scanEnds scan) (2 * s + 1)
 {-# INLINE sideIn #-}
+
+-- | The slots of the sides that will end at a corner which is not yet scanned, of those that are met.
+arriving :: Scan s -> Int -> ST s [Slot]
+arriving scan c = filter (/= noSlot) <$> mapM (get (scanArrivals scan)) [2 * c, 2 * c + 1]
+
+-- | Takes out a side that is met, as if it were not there, and gives the slots just below it and just above it.
+dropSide :: Scan s -> Slot -> ST s (Slot, Slot)
+dropSide scan s = do
+  Segment _ b <- sideIn scan s
+  first <- get arrivals (2 * b)
+  put arrivals (if first == s then 2 * b else 2 * b + 1) noSlot
+  remove (scanStatus scan) s
+  where
+    arrivals = scanArrivals scan
 
 -- | Does a corner lie under the side in a slot, or on its line?
 isUnder :: Plane -> Scan s -> Int -> Slot -> ST s Bool

@@ -3,7 +3,6 @@ module Visibility.Scene.Validate
   ( validate
   ) where
 
-import Data.List (mapAccumL)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
@@ -29,15 +28,15 @@ import Visibility.Scene.Type (Scene, assemble)
 -- something wrong with itself. Of a boundary that crosses itself, the inside is where a ray crosses it an odd number of
 -- times.
 --
--- /Cost/ of a valid scene O(n log n), however the sides lie and wherever polygons touch. Of others that of 'faults',
--- while they are consumed.
+-- /Cost/ of a valid scene O(n log n), however the sides lie and wherever polygons touch. Of others that of 'placed', in
+-- O(n) memory while they are consumed.
 --
 -- /Laws/ the set of errors is that of a comparison of all pairs of sides and all pairs of polygons. A valid scene has
 -- the corners, sides and materials that the file gives, under the file's names.
 validate :: RawScene -> Either (NonEmpty SceneError) Scene
 validate raw
   | null shapes = Left (EmptyScene :| [])
-  | otherwise = case concatMap ordered (snd (mapAccumL withFaults wrong shapes)) of
+  | otherwise = case allWrong shapes (either id (const []) layout) of
       e : es -> Left (e :| es)
       [] -> case layout of
         Right found -> Right (assemble (rawName raw) (contactPlaces found) shapes o (freeCorners o found))
@@ -47,12 +46,21 @@ validate raw
     whole = filter hasEnough shapes
     o = outline whole
     layout = placed whole o
-    wrong = either id (const []) layout
-    withFaults later shape
-      | hasEnough shape = (drop 1 later, statementErrors shape <> concat (take 1 later))
-      | otherwise = (later, statementErrors shape)
+    allWrong (shape : more) later
+      | hasEnough shape
+      , (own, others) : next <- later =
+          merged (statementErrors shape <> own) others <> allWrong more next
+      | otherwise = merged (statementErrors shape) [] <> allWrong more later
+    allWrong [] _ = []
+    -- Those that follow are in the order of places already.
+    merged few others = inOrder (ordered few) (concatMap ordered others)
+    inOrder (e : es) (f : fs)
+      | withPlace e <= withPlace f = e : inOrder es (f : fs)
+      | otherwise = f : inOrder (e : es) fs
+    inOrder es fs = es <> fs
+    withPlace e = (sceneErrorPlace e, e)
     hasEnough shape@(_, polygon) = cornerTotal polygon >= fewestCorners shape
-    ordered = map snd . Set.toAscList . Set.fromList . map (\e -> (sceneErrorPlace e, e))
+    ordered = map snd . Set.toAscList . Set.fromList . map withPlace
 
 sideTotalOf :: Shape -> Int
 sideTotalOf shape@(_, polygon) = sideTotal polygon {rawForm = formOf shape}

@@ -10,12 +10,15 @@ spec :: Spec
 spec = modifyMaxSuccess (* 5) $ do
   prop "boxesOverlap: they share a point" $
     forAll ((,) <$> box 4 <*> box 4) $ \(a, b) -> boxesOverlap a b === any (`elem` pointsIn b) (pointsIn a)
-  prop "boxContains: every point of the one is in the other" $
-    forAll ((,) <$> box 4 <*> box 2) $ \(a, b) -> boxContains a b === all (`elem` pointsIn a) (pointsIn b)
+  prop "boxSurrounds: every point of the one is in the other, and on no side of it" $
+    forAll ((,) <$> box 4 <*> box 2) $ \(Box l r b t, inner) ->
+      let a = Box l r b t
+       in cover 5 (boxSurrounds a inner) "surrounds" $
+            boxSurrounds a inner === all (`elem` pointsIn (Box (l + 1) (r - 1) (b + 1) (t - 1))) (pointsIn inner)
   prop "foldBoxes gives the boxes around a box" $
     forAll ((,) <$> manyBoxes <*> box 20) $ \(boxes, inner) ->
-      sort (foldBoxes (`boxContains` inner) (flip (:)) [] (boxTree boxes))
-        === [i | (i, b) <- zip [0 ..] boxes, b `boxContains` inner]
+      sort (foldBoxes (`boxSurrounds` inner) (flip (:)) [] (boxTree boxes))
+        === [i | (i, b) <- zip [0 ..] boxes, b `boxSurrounds` inner]
   prop "enclosingBox contains all, and is the smallest that does" $
     forAll (listOf1 (box 9)) $ \boxes ->
       let least part = minimum (map part boxes)

@@ -1,7 +1,9 @@
 module Visibility.Scene.TouchingSpec (spec) where
 
 import Data.Either (isLeft)
+import Data.Foldable (toList)
 import Data.List (nub, sort)
+import qualified Data.Set as Set
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck
@@ -13,6 +15,7 @@ import Visibility.Scene.Outline
 import Visibility.Scene.Raw
 import Visibility.Scene.Sample
 import Visibility.Scene.Touching
+import Visibility.Scene.Validate (validate)
 
 spec :: Spec
 spec = do
@@ -27,24 +30,49 @@ spec = do
         forAll fans $ \raw -> cover 10 (isMany raw) "many in one point, valid" (mixed raw)
       prop "of cluttered scenes in which no polygon is wrong at its own corners" $
         forAll clutteredScenes $ \raw -> not (any isOwn (naiveErrors raw)) ==> mixed raw
+  describe "tangled: of two sides that cross, one is found at least; there are not more sides found than pairs that \
+           \cross or lie along each other; the cuts are all places with corners that others pass" $
+    modifyMaxSuccess (* 20) $ do
+      prop "of walls" $ forAll (listOf (near 9 2)) $ disentangled . scene . map rawWall
+      prop "of triangles" $ forAll triangles $ disentangled . scene . map rawPolygon
+      prop "of fans" $ forAll fans disentangled
+      prop "of cluttered scenes" $ forAll clutteredScenes $ \raw ->
+        all ((>= 3) . length . rawCorners . snd) (polygonsOf raw) ==> disentangled raw
   where
+    disentangled raw =
+      cover 5 (not (null knots)) "tangled" $
+        conjoin
+          [ [(s, t) | (s, t) <- crossing, s `notElem` knots, t `notElem` knots] === []
+          , counterexample (show knots) (length knots <= length crossing + length along)
+          , nub knots === knots
+          , sort (nub [(placeOf o c, s) | (c, s) <- cuts, s `notElem` knots])
+              === sort (nub [(placeOf o i, s) | i <- used o, s <- starts o, s `notElem` knots, inside o i s])
+          ]
+      where
+        o = outline (polygonsOf raw)
+        (knots, cuts) = tangled o
+        pairs = [(s, t) | s <- starts o, t <- starts o, s < t]
+        how (s, t) = meeting (outlineRanked o) (segmentFrom o s) (segmentFrom o t)
+        crossing = [pair' | pair' <- pairs, how pair' == Crossing]
+        along = [pair' | pair' <- pairs, Touching touches <- [how pair'], length (nub touches) > 1]
+    used o = concatMap (cornersOf o) (polygonIndices o)
+    starts o = concatMap (segmentStarts o) (polygonIndices o)
+    inside o i s = case meeting (outlineRanked o) (Segment i i) (segmentFrom o s) of
+      Touching touches -> FirstOnSecond i `elem` touches
+      _ -> False
     mixed raw = cover 2 (isWrong raw) "wrong" $ cover 5 (not (isWrong raw)) "right" $ agrees raw
     isWrong = any isOfPlane . naiveErrors
     isMany raw = not (isWrong raw) && length (rawPolygons raw) > 4
+    -- Where something is wrong, it is told as well.
     agrees raw
-      | isWrong raw = property (isLeft found)
+      | isWrong raw = isLeft found .&&. Set.fromList (either toList (const []) (validate raw)) === naiveErrors raw
       | otherwise = fmap told found === Right expected
       where
         told (Contacts places cuts) = (places, sort [(placeOf o c, s) | (c, s) <- cuts])
         o = outline (polygonsOf raw)
         found = touching o
-        used = concatMap (cornersOf o) (polygonIndices o)
-        starts = concatMap (segmentStarts o) (polygonIndices o)
-        inside i s = case meeting (outlineRanked o) (Segment i i) (segmentFrom o s) of
-          Touching touches -> FirstOnSecond i `elem` touches
-          _ -> False
-        cuts' = nub [(placeOf o i, s) | i <- used, s <- starts, inside i s]
-        shared = [placeOf o i | i <- used, j <- used, i < j, placeOf o i == placeOf o j]
+        cuts' = nub [(placeOf o i, s) | i <- used o, s <- starts o, inside o i s]
+        shared = [placeOf o i | i <- used o, j <- used o, i < j, placeOf o i == placeOf o j]
         expected = (length (nub (map fst cuts' <> shared)), sort cuts')
     isOfPlane e = case e of
       NoSuchSide _ _ -> False
