@@ -11,14 +11,15 @@ module Run
   , module Output
   ) where
 
-import Control.Exception (SomeException, displayException, handleJust)
+import Control.Exception (SomeException, displayException, evaluate, handleJust)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (group, sort)
+import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Text as Text
-import Options.Common (Common (..))
+import Options.Common (Common (..), Telling (..))
 import Output
 import Progress
 import System.FilePath (takeExtension)
@@ -33,8 +34,8 @@ import Visibility.Scene.Raw (RawScene (..), RawPolygon (..))
 import Visibility.Scene.Validate (validate)
 import Visibility.Sweep (Piece, Vertex, pieceLength, piecesBy, verticesBy)
 
--- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. All problems of the
--- scene are reported; then the program ends with their exit code. A law that breaks in the work ends it with exit
+-- | Reads and checks the scene of a command and works on it, under the arithmetic asked for. The problems of the scene
+-- are reported; then the program ends with their exit code. A law that breaks in the work ends it with exit
 -- code 70, after a dump of the scene.
 withScene :: Common -> (Scene -> IO ()) -> IO ()
 withScene common work = do
@@ -52,7 +53,14 @@ withScene common work = do
   where
     file = sceneFile common
     label = fileLabel file
-    failed problems = complain (map errorText (toList problems)) >> ends (problemsOutcome problems)
+    -- They are told while they are found, and none is kept. All problems of a file are of one outcome.
+    failed problems = do
+      outcome <- evaluate (problemOutcome (NonEmpty.head problems))
+      complain (told (toList problems))
+      ends outcome
+    told = case telling common of
+      TellBriefly -> briefly
+      TellAll -> map errorText
 
 -- Reports a law that broke in work on the scene that these bytes state, and these bytes as they are. To write the scene
 -- anew, all that reads scenes would have to stay at hand during the work.

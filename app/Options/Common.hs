@@ -1,6 +1,7 @@
 -- | The options that commands share.
 module Options.Common
   ( Common (..)
+  , Telling (..)
   , commonOptions
   , talkOption
   , memoryOption
@@ -22,10 +23,14 @@ data Common = Common
   , schedulerChoice :: !Scheduler
   , talk :: !Talk
   , memoryChoice :: !(Maybe Word64)
+  , telling :: !Telling
   }
 
+-- | How much is told of what is wrong with a scene.
+data Telling = TellBriefly | TellAll
+
 commonOptions :: Parser Common
-commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> talkOption <*> memoryOption
+commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> talkOption <*> memoryOption <*> allErrors
   where
     scene =
       argument str $
@@ -46,6 +51,10 @@ commonOptions = Common <$> scene <*> arithmetic <*> scheduler <*> talkOption <*>
         \reference sweeps as topological does, by a slower program that is written to be read."
         (Default "topological")
         <|> pure Topological
+    allErrors =
+      flag TellBriefly TellAll $
+        long "all-errors"
+          <> help "Tell all that is wrong with the scene, not only twenty faults of a kind and how many more."
 
 talkOption :: Parser Talk
 talkOption =

@@ -1,3 +1,6 @@
+{-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE MagicHash #-}
+
 -- | All that can be wrong with input, its text, and the exit code of each case.
 --
 -- A text has the form @FILE: PLACE: WHAT IS WRONG; WHAT WOULD BE RIGHT@. The place is a line and column, a JSON path,
@@ -6,6 +9,7 @@ module Visibility.Error
   ( -- * Problems of a file
     Problem (..)
   , errorText
+  , briefly
     -- ** It cannot be read
   , ReadFault (..)
   , systemText
@@ -17,11 +21,11 @@ module Visibility.Error
   , Outcome (..)
   , exitNumber
   , problemOutcome
-  , problemsOutcome
   ) where
 
-import Data.Foldable (toList)
-import Data.List.NonEmpty (NonEmpty)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (sortOn)
+import GHC.Exts (Int (..), dataToTag#)
 import Visibility.Error.Parse
 import Visibility.Error.Scene
 import Visibility.Error.System
@@ -43,10 +47,56 @@ data ReadFault
 
 -- | One line without its end.
 errorText :: Problem -> String
-errorText problem = case problem of
-  UnreadableFile file fault -> file <> ": " <> readText fault
-  UnparseableFile file fault -> file <> ": " <> parseErrorText fault
-  InvalidScene file fault -> file <> ": " <> sceneErrorText fault
+errorText problem = problemFile problem <> ": " <> problemText problem
+
+problemFile :: Problem -> FilePath
+problemFile problem = case problem of
+  UnreadableFile file _ -> file
+  UnparseableFile file _ -> file
+  InvalidScene file _ -> file
+
+problemText :: Problem -> String
+problemText problem = case problem of
+  UnreadableFile _ fault -> readText fault
+  UnparseableFile _ fault -> parseErrorText fault
+  InvalidScene _ fault -> sceneErrorText fault
+
+-- | The texts of problems in their order, at most twenty of a kind, and then of each kind how many more there are. A
+-- kind is a case of what can be wrong. After a hundred thousand problems no more are looked at.
+--
+-- /Cost/ O(1) memory besides the problems, which may be made while they are consumed.
+--
+-- /Laws/ @briefly problems == map errorText problems@ if there are at most twenty of each kind.
+briefly :: [Problem] -> [String]
+briefly = go (0 :: Int) IntMap.empty
+  where
+    go !looked kinds (problem : rest)
+      | looked < 100000 =
+          let kind = problemKind problem
+              Kind began sample count = IntMap.findWithDefault (Kind looked problem 0) kind kinds
+           in [errorText problem | count < 20]
+                <> go (looked + 1) (IntMap.insert kind (Kind began sample (count + 1)) kinds) rest
+    go _ kinds rest =
+      [ concat [problemFile sample, ": and ", among, show (count - 20), " more like this: ", cause sample, "; ", advice]
+      | Kind _ sample count <- sortOn (\(Kind began _ _) -> began) (IntMap.elems kinds)
+      , count > 20
+      ]
+      where
+        (among, advice)
+          | null rest = ("", "--all-errors tells all")
+          | otherwise = ("at least ", "so many are enough, --all-errors tells all")
+    cause = takeWhile (/= ';') . problemText
+
+-- | When the first problem of a kind was met, which it is, and how many there are.
+data Kind = Kind !Int !Problem !Int
+
+-- | The constructor of what is wrong, by number.
+problemKind :: Problem -> Int
+problemKind problem = case problem of
+  UnreadableFile _ fault -> I# (dataToTag# fault)
+  UnparseableFile _ (SyntaxError _ fault) -> I# (dataToTag# fault)
+  UnparseableFile _ (ShapeError _ fault) -> 1000 + I# (dataToTag# fault)
+  InvalidScene _ fault -> I# (dataToTag# fault)
 
 readText :: ReadFault -> String
 readText fault = case fault of
@@ -87,7 +137,3 @@ problemOutcome problem = case problem of
   UnreadableFile _ _ -> UnreadableInput
   UnparseableFile _ _ -> UnparseableInput
   InvalidScene _ _ -> InvalidInput
-
--- | The earliest failure decides: an unreadable file before an unparseable one before an invalid one.
-problemsOutcome :: NonEmpty Problem -> Outcome
-problemsOutcome = minimum . map problemOutcome . toList

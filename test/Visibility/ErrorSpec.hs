@@ -56,25 +56,47 @@ spec = do
         `shouldBe` "a.json: may not be read; give yourself permission to read it"
       errorText (UnreadableFile "a" (ReadFailed "is a directory"))
         `shouldBe` "a: cannot be read (is a directory); give the path of a scene, or - for standard input"
+  describe "briefly" $ do
+    let polygon k = InvalidScene "a" (ZeroArea (Obstacle k))
+        outside k = InvalidScene "a" (OutsideEnclosure (Obstacle k))
+        shapes k = UnparseableFile "b" (ShapeError (Item Root k) (UnknownKey (Text.pack "x") [Text.pack "y"]))
+    it "briefly problems == map errorText problems if there are at most twenty of each kind" $ do
+      let problems = concat [[polygon k, outside k] | k <- [0 .. 19]] <> map shapes [0 .. 19]
+      briefly problems `shouldBe` map errorText problems
+    it "tells twenty of each kind in their order, and how many more there are" $
+      briefly (concat [[polygon k, outside k] | k <- [0 .. 21]] <> [polygon 22])
+        `shouldBe` map errorText (concat [[polygon k, outside k] | k <- [0 .. 19]])
+          <> [ "a: and 3 more like this: polygon 0: all corners lie on one line, so its area is zero; \
+               \--all-errors tells all"
+             , "a: and 2 more like this: polygon 0: lies outside the enclosure; --all-errors tells all"
+             ]
+    it "stops after a hundred thousand, of however many" $ do
+      let last' = drop 20 . briefly
+      last' (map outside [0 .. 99999])
+        `shouldBe` ["a: and 99980 more like this: polygon 0: lies outside the enclosure; --all-errors tells all"]
+      last' (map outside [0 ..])
+        `shouldBe` [ "a: and at least 99980 more like this: polygon 0: lies outside the enclosure; \
+                     \so many are enough, --all-errors tells all"
+                   ]
   describe "exit codes" $ do
     it "are those of the contract" $
       map exitNumber [minBound .. maxBound] `shouldBe` [0, 1, 2, 3, 4, 5, 6, 70]
-    it "of several problems, the earliest failure counts" $ do
+    it "tell how far the file was read" $ do
       let invalid = InvalidScene "a" EmptyScene
           unparseable = UnparseableFile "b" (SyntaxError (TextPosition 1 1) InvalidUtf8)
           unreadable = UnreadableFile "c" NoSuchFile
       map (exitNumber . problemOutcome) [unreadable, unparseable, invalid] `shouldBe` [2, 3, 4]
-      problemsOutcome (invalid :| [unparseable]) `shouldBe` UnparseableInput
-      problemsOutcome (unparseable :| [invalid, unreadable]) `shouldBe` UnreadableInput
 
 problemsOf :: FilePath -> IO [Problem]
 problemsOf file = do
   bytes <- Bytes.readFile (folder </> file)
   pure (either toList (const []) (readSceneBytes file bytes >>= first (fmap (InvalidScene file)) . validate))
 
+-- | All problems of a file have one outcome.
 report :: NonEmpty Problem -> String
-report problems =
-  unlines (("exit " <> show (exitNumber (problemsOutcome problems))) : map errorText (toList problems))
+report problems = unlines (map (("exit " <>) . show) codes <> map errorText (toList problems))
+  where
+    codes = nub (map (exitNumber . problemOutcome) (toList problems))
 
 -- | A case of a problem that has a text of its own. The functions below are total, so a new case cannot be forgotten.
 data Kind
