@@ -6,11 +6,15 @@ module Visibility.Complex.Canonical
   ) where
 
 import Data.Function (on)
-import Data.List (sortBy, sortOn)
+import Data.List (sortOn)
 import Data.Ord (comparing)
+import qualified Data.Vector.Algorithms.Intro as Intro
 import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Type
+import Visibility.Exact.Point
+import Visibility.Exact.Predicate
 import Visibility.Scene
+import Visibility.Sorting
 import Visibility.Sweep.Vertex
 
 -- | What comes in which order, and the number of each, from 0.
@@ -50,7 +54,14 @@ canonicalNumbering complex =
     }
   where
     scene = complexScene complex
-    vertexOrder = map fst (sortBy (compareVertices scene `on` snd) [(v, vertexAt complex v) | v <- vertexIds complex])
+    vertexOrder =
+      map (VertexId . snd) . U.toList . U.modify (Intro.sortBy (comparing fst <> exactly)) . U.fromList $
+        [(slope v, k) | v@(VertexId k) <- vertexIds complex]
+    exactly = compareVertices scene `on` (vertexAt complex . VertexId . snd)
+    -- Quotients of numbers that Doubles hold keep their order when they are rounded; equal ones are told apart exactly.
+    slope v = case pointPlaces (scenePoints scene) of
+      SmallPlaces _ -> let Direction x y = edgeFrom complex (fst (vertexRow complex v)) in fromInteger y / fromInteger x
+      LargePlaces _ -> 0 :: Double
     vertexRanks = ranks [v | VertexId v <- vertexOrder]
     rank (VertexId v) = vertexRanks U.! v
     fromVertices wanted =
@@ -60,11 +71,12 @@ canonicalNumbering complex =
       ]
     edgeOrder = fromVertices (isEdge complex)
     buriedOrder = fromVertices (not . isEdge complex)
-    edgeRanks = U.replicate (length (stretchIds complex)) 0 U.// (numbered edgeOrder <> numbered buriedOrder)
+    edgeRanks = U.replicate (stretchTotal complex) 0 U.// (numbered edgeOrder <> numbered buriedOrder)
     numbered es = zip [e | EdgeId e <- es] [0 ..]
     -- At one vertex, faces are numbered from above downwards.
-    faceOrder = sortBy (comparing place <> comparing labels) (faceIds complex)
-    place f = maybe (length vertexOrder) rank (faceFirst complex f)
+    faceOrder = concatMap (sortOn labels . map FaceId . bucketOf begun) [0 .. vertexTotal complex]
+    begun = bucketsBy (vertexTotal complex + 1) (U.fromList (map (fromIntegral . place) (faceIds complex)))
+    place f = maybe (vertexTotal complex) rank (faceFirst complex f)
     labels f = (seenAs scene (faceBack complex f), seenAs scene (faceFront complex f))
     faceRanks = ranks [f | FaceId f <- faceOrder]
     ranks order = U.replicate (length order) 0 U.// zip order [0 ..]

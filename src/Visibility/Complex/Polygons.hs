@@ -34,21 +34,25 @@ module Visibility.Complex.Polygons
   , flankAfter
   ) where
 
+import Control.Monad.ST (runST)
 import Data.Function (on)
-import qualified Data.IntMap.Strict as IntMap
 import Data.List (groupBy, nub, sort, sortOn)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing, listToMaybe, mapMaybe)
-import qualified Data.Set as Set
+import Data.Ord (comparing)
 import Data.Tuple (swap)
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import qualified Data.Vector.Unboxed.Mutable as M
 import Visibility.Complex.Canonical
 import Visibility.Complex.Reading
+import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
 import Visibility.Scene
 import Visibility.Scene.Raw (Form (..))
+import Visibility.Sorting
+import Visibility.Sweep.Vertical (objectAt)
 import Visibility.View (End (..), Flank (..), View (..))
 
 -- | The complex in which all sides of a polygon count as one object.
@@ -106,11 +110,11 @@ data Arc = Arc
   , arcFirst :: !(Maybe LineId)
   -- ^ 'Nothing' for the closed curve of a polygon that is alone.
   , arcLast :: !(Maybe LineId)
-  , arcAcross :: !Aspect
+  , arcAcross :: {-# UNPACK #-} !Aspect
   -- ^ The face on the other flank; the three faces are as they are where the arc begins.
-  , arcBack :: !Aspect
+  , arcBack :: {-# UNPACK #-} !Aspect
   -- ^ The face on the polygon's flank behind the contact.
-  , arcFront :: !Aspect
+  , arcFront :: {-# UNPACK #-} !Aspect
   -- ^ The face on the polygon's flank beyond the contact. It may be the same as behind, half turns later.
   , arcStretches :: ![EdgeId]
   -- ^ In the order of direction. A closed curve begins with the one that lies 'Below' over the end of the half turn.
@@ -199,20 +203,28 @@ polygonComplex complex = PolygonComplex complex (V.fromList (map region unions))
       | isConvexScene scene = Just (outlinesOf complex (orderedVertices numbering) aspect (length unions))
       | otherwise = Nothing
     faces = V.fromList (orderedFaces numbering)
-    labels = V.map (\f -> (polygonLabel scene (faceBack complex f), polygonLabel scene (faceFront complex f))) faces
-    labelOf (k, turns) = (if odd turns then swap else id) (labels V.! k)
+    -- By object, a number for its label.
+    owners = denseRanks (comparing (polygonLabel scene . objectAt scene)) (cornerCount scene + 1)
+    endsOf (k, turns)
+      | odd turns = (owner faceFronts, owner faceBacks)
+      | otherwise = (owner faceBacks, owner faceFronts)
+      where
+        owner table = owners U.! numberAt (table complex) (faces V.! k)
     placesAt e quarter =
       [(faceNumber numbering f, maybe 0 fromEnum (readingAt read' e quarter)) | Just f <- [faceAt complex e quarter]]
-    unions = components (V.length faces) [(a, b) | (a, b) <- joins complex placesAt, labelOf a == labelOf b]
+    unions = components (V.length faces) [(a, b) | (a, b) <- joins complex placesAt, endsOf a == endsOf b]
     region own = Region back front [faces V.! k | (k, _) <- own]
       where
-        (back, front) = maybe (OfSky, OfSky) labelOf (listToMaybe own)
+        (back, front) = case own of
+          (k, turns) : _ -> (if odd turns then swap else id) (label faceBack k, label faceFront k)
+          [] -> (OfSky, OfSky)
+        label side k = polygonLabel scene (side complex (faces V.! k))
     -- By face: its region, and the half turns from the first vertex of the region to its own.
-    regionsOf = IntMap.fromList [(k, (RegionId r, turns)) | (r, own) <- zip [0 ..] unions, (k, turns) <- own]
-    aspect e quarter =
-      case [Aspect r (own + more) | (k, more) <- placesAt e quarter, Just (r, own) <- [IntMap.lookup k regionsOf]] of
-        met : _ -> met
-        [] -> broken "a tangent stretch has a face on every quarter" (show (e, quarter))
+    regionsOf =
+      U.replicate (V.length faces) (0, 0) U.// [(k, (r, turns)) | (r, own) <- zip [0 ..] unions, (k, turns) <- own]
+    aspect e quarter = case placesAt e quarter of
+      (k, more) : _ -> let (r, own) = regionsOf U.! k in Aspect (RegionId r) (own + more)
+      [] -> broken "a tangent stretch has a face on every quarter" (show (e, quarter))
 
 -- | A face by its canonical number, and half turns since its own first vertex, or since that of its region.
 type Place = (Int, Int)
@@ -220,30 +232,26 @@ type Place = (Int, Int)
 -- | The components of so many faces, given places that are one. Each has its faces in the order in which they begin,
 -- with the half turns from the beginning of the first to theirs; they come in the order of their first faces.
 components :: Int -> [(Place, Place)] -> [[Place]]
-components count same = sort (map inOrder (go [0 .. count - 1] IntMap.empty))
+components count same = sort $ runST $ do
+  met <- M.replicate count False
+  let reach own [] = pure own
+      reach own ((k, turns) : rest) = do
+        known <- M.read met k
+        M.write met k True
+        let next = [(j, turns + more) | not known, (j, more) <- besides k]
+        reach (if known then own else (k, turns) : own) (next <> rest)
+  map inOrder . filter (not . null) <$> mapM (\k -> reach [] [(k, 0)]) [0 .. count - 1]
   where
-    go [] _ = []
-    go (k : rest) seen
-      | k `IntMap.member` seen = go rest seen
-      | otherwise = let own = reach IntMap.empty [(k, 0)] in own : go rest (IntMap.union own seen)
-    reach own [] = own
-    reach own ((k, turns) : rest)
-      | k `IntMap.member` own = reach own rest
-      | otherwise = reach (IntMap.insert k turns own) ([(j, turns + more) | (j, more) <- besides k] <> rest)
-    besides k = Set.toList (Set.fromList (beside V.! k))
-    beside =
-      V.accum (flip (:)) (V.replicate count []) [(k, (j, m - n)) | (a, b) <- same, ((k, m), (j, n)) <- [(a, b), (b, a)]]
-    inOrder own = let start = minimum own in sortOn swap [(k, turns - start) | (k, turns) <- IntMap.toList own]
+    links = U.fromList [(k, (j, m - n)) | (a, b) <- same, ((k, m), (j, n)) <- [(a, b), (b, a)]]
+    beside = bucketsBy count (U.map (fromIntegral . fst) links)
+    besides k = sort [snd (links U.! i) | i <- bucketOf beside k]
+    inOrder own = let start = minimum (map snd own) in sortOn swap [(k, turns - start) | (k, turns) <- own]
 
 -- | The places that are one if their segments end at the same polygons: on opposite flanks of a stretch; and, where a
 -- thin wall is on the line and nothing lies beyond one of its ends, at that end before and after the line.
 joins :: Complex -> (EdgeId -> Quarter -> [Place]) -> [(Place, Place)]
 joins complex placesAt =
-  [ (above, below)
-  | e <- stretchIds complex
-  , above <- concatMap (placesAt e) (quartersOf Above)
-  , below <- concatMap (placesAt e) (quartersOf Below)
-  ]
+  [(above, below) | e <- stretchIds complex, above <- placesOn e Above, below <- placesOn e Below]
     <> [ (now, (k, turns + turned))
        | v <- vertexIds complex
        , let after = vertexEdgesAfter complex v
@@ -262,6 +270,7 @@ joins complex placesAt =
        ]
   where
     scene = complexScene complex
+    placesOn e flank = nub (concatMap (placesAt e) (quartersOf flank))
     isWall p q = nextCorner scene p == q && previousCorner scene p == q
     -- Where the segment ends at a corner, that corner is what is seen beyond the end of the wall.
     isLastThing :: Int -> Maybe Object -> Bool
@@ -289,7 +298,7 @@ isConvexScene scene =
 --
 -- /Requires/ 'isConvexScene'.
 outlinesOf :: Complex -> [VertexId] -> (EdgeId -> Quarter -> Aspect) -> Int -> Outlines
-outlinesOf complex order aspect count = Outlines (V.fromList lines') table (V.map boundary incidences)
+outlinesOf complex order aspect count = Outlines (V.fromList lines') table (V.generate count boundary)
   where
     owner = polygonOfCorner (complexScene complex) . edgeCorner complex
     flanksOf e = [flank | Tangent flank _ _ <- [edgeView complex e]]
@@ -302,15 +311,19 @@ outlinesOf complex order aspect count = Outlines (V.fromList lines') table (V.ma
       _ -> Nothing
     found = [(v, met) | v <- order, let met = tangencies v, length (nub (map (tangencyPolygon . fst) met)) >= 2]
     lines' = [TangentLine v (map fst met) | (v, met) <- found]
-    numbers = Map.fromList (zip (map fst found) (map LineId [0 ..]))
+    numbers = U.replicate (vertexTotal complex) (-1) U.// zip [v | (VertexId v, _) <- found] [0 ..]
+    numberOf (VertexId v) = let i = numbers U.! v in if i < 0 then Nothing else Just (LineId i)
 
     -- The stretch that goes on on the same curve: of the same corner, or of the one that the contact slides to.
-    following e = case mapMaybe ((`Map.lookup` beginning) . continued) (flanksOf e) of
+    following e = case [d | d <- near, flank <- flanksOf e, turned flank `elem` flanksOf d] of
       next : _ -> next
       [] -> broken "the curve of a convex polygon goes on at every vertex" (show e)
       where
-        continued flank = (edgeLast complex e, owner e, flankAfter (fromEnum (wrapsAround complex e)) flank)
-    beginning = Map.fromList [((edgeFirst complex e, owner e, flank), e) | e <- stretchIds complex, flank <- flanksOf e]
+        turned = flankAfter (fromEnum (wrapsAround complex e))
+        (EdgeId first, EdgeId end) = vertexRow complex (edgeLast complex e)
+        EdgeId onward = edgeAfter complex e
+        near = concatMap (takeWhile ((== owner e) . owner) . map EdgeId) ways'
+        ways' = [[onward .. end - 1], [onward - 1, onward - 2 .. first]]
 
     table = V.fromList (map arc (if null found then closed else concatMap (concatMap snd . snd) found))
     closed = [(Below, e) | c <- corners (complexScene complex), let e = lastEdgeOf complex c, flanksOf e == [Below]]
@@ -318,8 +331,8 @@ outlinesOf complex order aspect count = Outlines (V.fromList lines') table (V.ma
       Arc
         { arcPolygon = owner e
         , arcFlank = flank
-        , arcFirst = Map.lookup (edgeFirst complex e) numbers
-        , arcLast = lastOf passed >>= (`Map.lookup` numbers) . edgeLast complex
+        , arcFirst = numberOf (edgeFirst complex e)
+        , arcLast = lastOf passed >>= numberOf . edgeLast complex
         , arcAcross = aspect e (quarterOn (flankAfter 1 flank) Back)
         , arcBack = aspect e (quarterOn flank Back)
         , arcFront = aspect e (quarterOn flank Front)
@@ -327,19 +340,23 @@ outlinesOf complex order aspect count = Outlines (V.fromList lines') table (V.ma
         }
       where
         passed = e : takeWhile goesOn (drop 1 (iterate following e))
-        goesOn d = d /= e && edgeFirst complex d `Map.notMember` numbers
+        goesOn d = d /= e && isNothing (numberOf (edgeFirst complex d))
 
-    -- By region: half turns, edge, and on which flank of the edge the region is not, as it reads itself after an even
-    -- number of half turns. Vertices come by direction, so within a half turn the edges of a chain come by number.
-    incidences = V.map sort (V.accum (flip (:)) (V.replicate count []) (concat (V.imap around table)))
-    around a one =
-      [ (r, (turns, ArcId a, flankAfter turns flank))
-      | let across = arcFlank one
-      , (Aspect (RegionId r) turns, flank) <- zip (arcFaces one) [across, flankAfter 1 across, flankAfter 1 across]
-      ]
-    boundary met = Boundary (listToMaybe upper >>= arcFirst . one) (lastOf upper >>= arcLast . one) upper (on' Below)
+    -- By edge and side of it, three for each: the region there, and at how many half turns.
+    sides' = U.fromList [(r, turns) | one <- V.toList table, Aspect (RegionId r) turns <- arcFaces one]
+    incidences = bucketsBy count (U.map (fromIntegral . fst) sides')
+    -- In a chain, edges come by half turns. Vertices come by direction, so within a half turn edges come by number. A
+    -- flank is where the region is not, as it reads itself after an even number of half turns.
+    boundary r = Boundary (listToMaybe upper >>= arcFirst . one) (lastOf upper >>= arcLast . one) upper lower
       where
         one (ArcId a, _) = table V.! a
-        upper = on' Above
-        on' flank = [(a, turns) | (turns, a, flank') <- met, flank' == flank]
+        (upper, lower) = (on' Above, on' Below)
+        on' flank = map swap (sort [(turns, ArcId a) | (turns, a, flank') <- met, flank' == flank])
+        met =
+          [ (turns, a, flankAfter turns (if i == 0 then across else flankAfter 1 across))
+          | k <- bucketOf incidences r
+          , let (a, i) = k `quotRem` 3
+          , let turns = snd (sides' U.! k)
+          , let across = arcFlank (table V.! a)
+          ]
     lastOf xs = listToMaybe (reverse xs)

@@ -11,7 +11,8 @@ module Visibility.Complex.Reading
   , readingAt
   ) where
 
-import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
+import Data.Word (Word8)
 import Visibility.Complex.Table
 import Visibility.Complex.Type
 import Visibility.View (Flank (..))
@@ -37,17 +38,20 @@ chainIncidences complex =
 
 -- | By stretch and quarter: how the face there reads the stretch, by its chains. 'Nothing' where there is no face, or,
 -- in broken tables, if the stretch is not in the chains of the face.
-type Readings = V.Vector (Maybe Reading)
+newtype Readings = Readings (U.Vector Word8)
 
 -- | /Cost/ O(incidences).
 readings :: Complex -> Readings
 readings complex =
-  V.replicate (tableLength (stretchFaces complex)) Nothing
-    V.// [ (code (e, quarter), Just reading)
-         | Incident f e flank reading <- chainIncidences complex
-         , quarter <- quartersOf flank
-         , faceAt complex e quarter == Just f
-         ]
+  Readings $
+    U.replicate (tableLength (stretchFaces complex)) 0
+      U.// [ (code (e, quarter), 1 + fromIntegral (fromEnum reading))
+           | Incident f e flank reading <- chainIncidences complex
+           , quarter <- quartersOf flank
+           , faceAt complex e quarter == Just f
+           ]
 
 readingAt :: Readings -> EdgeId -> Quarter -> Maybe Reading
-readingAt table e quarter = table V.! code (e, quarter)
+readingAt (Readings table) e quarter = case table U.! code (e, quarter) of
+  0 -> Nothing
+  k -> Just (toEnum (fromIntegral k - 1))
