@@ -6,14 +6,16 @@ module Visibility.Complex.Law.Polygons
   ) where
 
 import Control.Monad (foldM)
-import Data.List (nub, sort)
+import Data.List (elemIndex, nub, sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Polygons
 import Visibility.Complex.Type
 import Visibility.Scene
+import Visibility.Sorting
 import Visibility.View (Flank (..), View (..))
 
 -- | Does every tangent line touch exactly two polygons, each on one flank? Then moving the corners by little enough
@@ -109,9 +111,13 @@ numberedLines = zip (map LineId [0 ..]) . V.toList . tangentLines
 arcOf :: Outlines -> ArcId -> Arc
 arcOf found (ArcId a) = arcs found V.! a
 
--- | What edges are counted for, by what they have in common.
-arcsBy :: Ord k => (Arc -> Maybe k) -> (Arc -> [a]) -> Outlines -> Map.Map k [a]
-arcsBy key counted found = Map.fromListWith (flip (<>)) [(k, counted a) | a <- V.toList (arcs found), Just k <- [key a]]
+-- | The edges that begin or end at a vertex, in order; or those of closed curves, which do so nowhere.
+arcsAt :: (Arc -> Maybe LineId) -> Outlines -> Maybe LineId -> [ArcId]
+arcsAt end found = map ArcId . bucketOf table . place
+  where
+    table = bucketsBy (nowhere + 1) (U.fromList (map (fromIntegral . place . end) (V.toList (arcs found))))
+    place = maybe nowhere (\(LineId i) -> i)
+    nowhere = V.length (tangentLines found)
 
 lineText :: PolygonComplex -> TangentLine -> String
 lineText made = vertexLabel (sideComplex made) . lineVertex
@@ -138,13 +144,14 @@ memberLabels made =
 vertexEdges' :: Check
 vertexEdges' made found = concatMap check (numberedLines found)
   where
-    begun = arcsBy arcFirst (\a -> [(arcPolygon a, arcFlank a)]) found
-    ended = arcsBy arcLast (\a -> [(arcPolygon a, endFlank made a)]) found
+    begun = map (\a -> (arcPolygon a, arcFlank a)) . edgesAt arcFirst
+    ended = map (\a -> (arcPolygon a, endFlank made a)) . edgesAt arcLast
+    edgesAt end = map (arcOf found) . arcsAt end found . Just
     check (i, line) =
       orElse (lineText made line <> ": " <> show touched) $
         length (nub (map fst touched)) >= 2
-          && Map.lookup i begun == Just touched
-          && fmap sort (Map.lookup i ended) == Just (sort touched)
+          && begun i == touched
+          && sort (ended i) == sort touched
           && contacts == sort (nub contacts)
       where
         touched = touchedBy line
@@ -159,11 +166,12 @@ generalVertex made found =
   [ lineText made line <> ": " <> show faces
   | (i, line) <- numberedLines found
   , length (touchedBy line) == 2
-  , let faces = nub (map once (Map.findWithDefault [] i around))
+  , let faces = nub (map once (concatMap arcFaces (begun i) <> concatMap facesAfter (ended i)))
   , length faces /= 6
   ]
   where
-    around = Map.unionWith (<>) (arcsBy arcFirst arcFaces found) (arcsBy arcLast facesAfter found)
+    (begun, ended) = (edgesAt arcFirst, edgesAt arcLast)
+    edgesAt end = map (arcOf found) . arcsAt end found . Just
     facesAfter a = map (later (arcTurns (sideComplex made) a)) (arcFaces a)
     -- The lines that miss everything come again after a full turn.
     once aspect@(Aspect r@(RegionId k) turns)
@@ -176,8 +184,10 @@ edgeFaces made found = concatMap check (arcs found)
     complex = sideComplex made
     scene = complexScene complex
     label = polygonLabel scene
-    regionOf = Map.fromList (concat (zipWith members [0 ..] (V.toList (regions made))))
-    members r region = [(f, RegionId r) | f <- regionFaces region]
+    regionOf =
+      U.replicate (faceTotal complex) (-1)
+        U.// [(f, r) | (r, region) <- zip [0 ..] (V.toList (regions made)), FaceId f <- regionFaces region]
+    regionAt e q = (\(FaceId f) -> RegionId (regionOf U.! f)) <$> faceAt complex e q
     seenAs' (Aspect (RegionId r) turns)
       | odd turns = (regionFront region, regionBack region)
       | otherwise = (regionBack region, regionFront region)
@@ -195,7 +205,7 @@ edgeFaces made found = concatMap check (arcs found)
             orElse text $
               flank == flankAfter turns (arcFlank arc)
                 && polygonOfCorner scene (edgeCorner complex e) == arcPolygon arc
-                && map (Just . aspectRegion) faces == [(`Map.lookup` regionOf) =<< faceAt complex e q | q <- quarters]
+                && map (Just . aspectRegion) faces == map (regionAt e) quarters
                 && map seenAs' faces == [(label back, label front), (label back, own), (own, label front)]
             where
               quarters = case flank of
@@ -213,13 +223,18 @@ curves made found =
   [ "polygon " <> polygonText p
   | p <- map polygonId (scenePolygons (complexScene (sideComplex made)))
   , let own = Map.findWithDefault [] p byPolygon
-  , let onward = Map.fromList [(start a, (arcLast a, endFlank made a)) | a <- own]
-  , let passed a = take (length own) (drop 1 (iterate (\x -> Map.findWithDefault x x onward) (start a)))
-  , sum (map (arcTurns (sideComplex made)) own) /= 2 || or [sort (passed a) /= sort (map start own) | a <- take 1 own]
+  , let turns = sum (map (arcTurns (sideComplex made) . arcOf found) own)
+  , turns /= 2 || not (and [goesAround a (length own) a | a <- take 1 own])
   ]
   where
-    byPolygon = arcsBy (Just . arcPolygon) pure found
-    start a = (arcFirst a, arcFlank a)
+    byPolygon = Map.fromListWith (<>) [(arcPolygon a, [ArcId i]) | (i, a) <- zip [0 ..] (V.toList (arcs found))]
+    begun = arcsAt arcFirst found
+    -- Does one come back to an edge after so many steps from another, not before?
+    goesAround start steps a = case filter (follows (arcOf found a) . arcOf found) (begun (arcLast (arcOf found a))) of
+      next : _ | next == start -> steps == 1
+               | otherwise -> steps > (1 :: Int) && goesAround start (steps - 1) next
+      [] -> False
+    follows a b = arcPolygon a == arcPolygon b && endFlank made a == arcFlank b
 
 chainsLink :: Check
 chainsLink made found = concat (V.toList (V.imap check (boundaries found))) <> once
@@ -245,29 +260,28 @@ chainsLink made found = concat (V.toList (V.imap check (boundaries found))) <> o
       let arc = arcOf found a
        in if from == (arcFirst arc, turns) then Just (arcLast arc, turns + arcTurns complex arc) else Nothing
 
-    -- Which face bounds which edge from where, by the chains and by the edges.
-    once = orElse "edges in chains" (sort byChains == sort byEdges)
-    byChains =
-      [ (a, Aspect (RegionId r) turns, flankAfter turns flank)
+    -- Each entry of a chain is one of the three faces of its edge, from that flank; and each of these is met once.
+    once = orElse "edges in chains" (U.all (== 1) (U.init counts) && U.last counts == 0)
+    counts = U.accum (+) (U.replicate (others + 1) (0 :: Int)) (map (\i -> (i, 1)) met)
+    others = 3 * V.length (arcs found)
+    met =
+      [ maybe others (3 * a +) (elemIndex seen (bounding (arcOf found (ArcId a))))
       | (r, boundary) <- zip [0 ..] (V.toList (boundaries found))
       , (chain, flank) <- [(upperArcs boundary, Below), (lowerArcs boundary, Above)]
-      , (a, turns) <- chain
+      , (ArcId a, turns) <- chain
+      , let seen = (Aspect (RegionId r) turns, flankAfter turns flank)
       ]
-    byEdges =
-      [ (ArcId a, aspect, flank)
-      | (a, one) <- zip [0 ..] (V.toList (arcs found))
-      , (aspect, flank) <- zip (arcFaces one) (flankAfter 1 (arcFlank one) : repeat (arcFlank one))
-      ]
+    bounding arc = zip (arcFaces arc) (flankAfter 1 (arcFlank arc) : repeat (arcFlank arc))
 
 numbersFit :: Check
 numbersFit made found =
   orElse (show (vs, es, fs)) (vs - es + fs == 1 + sum (fmap wallsBetween (tangentLines found)))
     <> [ lineText made line
-       | (i, line) <- numberedLines found
+       | (LineId i, line) <- numberedLines found
        , let expected = length (touchedBy line) - 1 + wallsBetween line
-       , any ((/= expected) . Map.findWithDefault 0 i) ends
+       , any ((/= expected) . (U.! i)) ends
        ]
   where
     (vs, es, fs) = sizes made found
-    ends = map (\end -> Map.fromListWith (+) [(i, 1) | Just i <- map end bounded]) [firstLine, lastLine]
+    ends = [U.accum (+) (U.replicate vs 0) [(i, 1) | Just (LineId i) <- map end bounded] | end <- [firstLine, lastLine]]
     bounded = V.toList (boundaries found)

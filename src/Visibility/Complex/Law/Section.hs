@@ -17,6 +17,7 @@ import Data.Ord (Down (..))
 import Data.Ratio ((%))
 import qualified Data.Set as Set
 import qualified Data.Vector as V
+import qualified Data.Vector.Unboxed as U
 import Visibility.Complex.Law.Base
 import Visibility.Complex.Reading
 import Visibility.Complex.Type
@@ -115,10 +116,10 @@ sectionOf complex = section
     -- The same at all directions.
     read' = readings complex
     lines' = V.fromList (map (vertexLine complex) (vertexIds complex))
-    section d = sectionWith read' (V.map (\line -> compareDirections line d == LT) lines') complex d
+    section d = sectionWith read' (V.convert (V.map (\line -> compareDirections line d == LT) lines')) complex d
 
 -- | By the readings, and by vertex: does it come before the direction?
-sectionWith :: Readings -> V.Vector Bool -> Complex -> Direction -> [Interval]
+sectionWith :: Readings -> U.Vector Bool -> Complex -> Direction -> [Interval]
 sectionWith read' beforeLines complex d =
   intervals
     [(f, (Sky, Sky)) | f <- faceIds complex, isNothing (faceFirst complex f)]
@@ -139,7 +140,7 @@ sectionWith read' beforeLines complex d =
       where
         begun = isBefore (edgeFirst complex e)
         ended = isBefore (edgeLast complex e)
-        isBefore (VertexId v) = beforeLines V.! v
+        isBefore (VertexId v) = beforeLines U.! v
     facesAt flank (e, reading) =
       nub
         [ (f, label f (reading, readingAt read' e q))
