@@ -13,11 +13,11 @@ import Options.Common
 import Options.Mesh
 import Options.Radiosity
 import Progress (stage)
-import Run (complain, ends, measuring, printed, sweeping, withScene)
+import Run (complain, ends, measuring, printed, streamed, sweeping, withScene)
 import Visibility.Error (Outcome (..))
 import qualified Visibility.Exact.RootSum as RootSum
 import Visibility.Exact.Rounding (decimal, defaultDigits, digits, outwardDecimals)
-import Visibility.Format.Mesh (meshDocument)
+import Visibility.Format.Mesh (meshDocument, uniformDocument)
 import Visibility.Format.Radiosity (radiosityDocument)
 import Visibility.Mesh
 import Visibility.Radiosity
@@ -25,7 +25,9 @@ import Visibility.Scene (Scene)
 
 -- | The break points of all sides, as JSON.
 runMesh :: Common -> MeshOptions -> IO ()
-runMesh common options = withScene common $ \scene -> meshed common options scene (\kept -> printed . meshDocument kept)
+runMesh common options = withScene common $ \scene -> case options of
+  MeshOptions (Uniform parts) Nothing -> streamed (uniformDocument parts scene)
+  _ -> meshed common options scene (\kept -> printed . meshDocument kept)
 
 -- | Works on the elements asked for and the scene in which they are the sides.
 divided :: Common -> Elements -> Scene -> (Refined -> IO ()) -> IO ()

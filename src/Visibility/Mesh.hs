@@ -11,15 +11,17 @@ module Visibility.Mesh
     -- * Making them
   , discontinuityMesh
   , uniformMesh
+  , uniformSides
     -- * Fewer break points
   , shadowLimits
   , bounded
   ) where
 
 import Data.Function (on)
-import Data.List (sortBy)
+import Data.List (sortBy, sortOn)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
 import Data.Ratio ((%))
 import qualified Data.Vector as V
@@ -88,12 +90,26 @@ alongSide piece from to (LatticePoint px py pw) (LatticePoint qx qy qw)
 uniformMesh :: ElementCount -> Scene -> Mesh
 uniformMesh parts scene = Inside.Mesh scene (V.map cut (pieceSpans scene))
   where
+    cut piece = (if spanStart piece < spanEnd piece then id else reverse) (equalParts parts piece)
+
+-- | The sides of the file with the break points of 'uniformMesh', by name. Nothing keeps the points, so they can be
+-- printed in constant memory, however many they are.
+--
+-- /Law/ @uniformSides parts scene == meshSides (uniformMesh parts scene)@
+uniformSides :: ElementCount -> Scene -> [(SideName, [BreakPoint])]
+uniformSides parts scene = [(side, concatMap (equalParts parts) (spansOf side)) | side <- statedSides scene]
+  where
+    spans = pieceSpans scene
+    spansOf side = sortOn lowEnd [spans V.! s | SideId s <- fromMaybe [] (piecesOf scene side)]
+    lowEnd piece = min (spanStart piece) (spanEnd piece)
+
+-- The break points inside a piece, by ascending parameter.
+equalParts :: ElementCount -> Span -> [BreakPoint]
+equalParts parts piece = [BreakPoint t (pointOn piece t) EqualParts | k <- inside, let t = k % n]
+  where
     n = toInteger (countedElements parts)
-    cut piece = [BreakPoint t (pointOn piece t) EqualParts | k <- fromStart, let t = k % n]
-      where
-        (start, end) = (spanStart piece, spanEnd piece)
-        inside = [floor (min start end * fromInteger n) + 1 .. ceiling (max start end * fromInteger n) - 1]
-        fromStart = if start < end then inside else reverse inside
+    (start, end) = (spanStart piece, spanEnd piece)
+    inside = [floor (min start end * fromInteger n) + 1 .. ceiling (max start end * fromInteger n) - 1]
 
 -- | Without the kinks.
 shadowLimits :: Mesh -> Mesh

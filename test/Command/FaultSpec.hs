@@ -65,7 +65,10 @@ spec = describe "faults" $ do
     filter (`notElem` [0, 6]) codes `shouldBe` []
     length (filter (== 6) codes) `shouldSatisfy` (>= 5)
     refuses 6 ["more memory is needed than the 64M allowed; allow more by --memory"]
-      ["mesh", "scenes/two-squares.json", "--breaks", "uniform:1000000", "--memory", "64M"] ""
+      ["mesh", "scenes/two-squares.json", "--breaks", "uniform:1000000", "--max-elements", "9", "--memory", "64M"] ""
+    -- What is printed while it is made needs no more, however much it is.
+    streamed <- output ["mesh", "scenes/two-squares.json", "--breaks", "uniform:100000", "--memory", "32M"] ""
+    length streamed `shouldSatisfy` (> 32 * 1000 * 1000)
     refuses 6 ["more memory"] ["info", "/dev/zero", "--memory", "64M"] ""
     refuses 1 ["16M to 1024T"] ["info", "scenes/room.json", "--memory", "15M"] ""
   it "of standard files that are full or closed have exit code 2, of help too" $ do

@@ -109,7 +109,11 @@ spec = do
             isLimit point = ShadowLimit `elem` map casterKind (breakCasters point)
          in map snd (meshSides (shadowLimits mesh)) === map (filter isLimit . snd) (meshSides mesh)
 
-  describe "a uniform mesh" $
+  describe "a uniform mesh" $ do
+    it "has the break points that are told side by side" $
+      property $ \(AnyScene s) ->
+        forAll (choose (1, 12) `suchThatMap` elementCount) $ \parts ->
+          uniformSides parts (sampleScene s) === meshSides (uniformMesh parts (sampleScene s))
     it "has every k/N that is not covered" $
       property $ \(AnyScene s) ->
         forAll (choose (1, 12) `suchThatMap` elementCount) $ \parts ->

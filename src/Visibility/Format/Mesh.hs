@@ -3,6 +3,7 @@
 -- | Meshes as JSON.
 module Visibility.Format.Mesh
   ( meshDocument
+  , uniformDocument
   , kindText
   ) where
 
@@ -21,16 +22,21 @@ import Visibility.Scene
 --
 -- /Requires/ two meshes of one scene.
 meshDocument :: Mesh -> Mesh -> Builder
-meshDocument kept dropped = document (pair "sides" (list side (meshSides kept)))
+meshDocument kept dropped =
+  sidesDocument (meshScene kept) [(side, points, breaksOf dropped side) | (side, points) <- meshSides kept]
+
+-- | The same of the sides cut into equal parts, of which none are dropped, in constant memory.
+uniformDocument :: ElementCount -> Scene -> Builder
+uniformDocument parts scene = sidesDocument scene [(side, points, []) | (side, points) <- uniformSides parts scene]
+
+sidesDocument :: Scene -> [(SideName, [BreakPoint], [BreakPoint])] -> Builder
+sidesDocument scene found = document (pair "sides" (list side found))
   where
-    scene = meshScene kept
-    side (name, points) =
+    side (name, points, dropped) =
       pairs $
         pair "id" (string (sideText name))
           <> pair "points" (list (breakPoint scene) points)
-          <> case breaksOf dropped name of
-            [] -> mempty
-            gone -> pair "dropped" (list (breakPoint scene) gone)
+          <> mconcat [pair "dropped" (list (breakPoint scene) dropped) | not (null dropped)]
 
 breakPoint :: Scene -> BreakPoint -> Encoding
 breakPoint scene point =

@@ -16,6 +16,10 @@ shelf = sampleScene <$> sampleOf [[(0, 0), (4, 0), (2, -1)], [(1, 1), (3, 1)], [
 textOf :: Mesh -> Mesh -> String
 textOf kept dropped = Lazy.unpack (toLazyByteString (meshDocument kept dropped))
 
+-- | Cut into five parts, told one by one.
+inFive :: Scene -> Maybe String
+inFive scene = Lazy.unpack . toLazyByteString . (`uniformDocument` scene) <$> elementCount 5
+
 spec :: Spec
 spec =
   describe "meshDocument" $ do
@@ -31,6 +35,9 @@ spec =
               <> "\"others\":[{\"caster\":[\"1.1\",\"0.1\"],\"kind\":\"shadow-limit\"}]}]},"
               <> "{\"id\":\"2.1\",\"points\":[]}]}\n"
           )
+    it "is the same of sides in equal parts, told one by one" $
+      fmap inFive shelf
+        `shouldBe` fmap (\scene -> (`textOf` emptyMesh scene) . (`uniformMesh` scene) <$> elementCount 5) shelf
     it "lists what was dropped, and cuts into equal parts without casters" $
       fmap
         ( \scene -> case (elementCount 3, elementCount 2) of
