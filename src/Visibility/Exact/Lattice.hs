@@ -37,7 +37,6 @@ module Visibility.Exact.Lattice
 import Data.Bits (shiftL)
 import Data.Foldable (foldlM)
 import Data.Int (Int32)
-import Data.List (foldl')
 import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Vector as V
@@ -66,29 +65,19 @@ data Lattice = Lattice !Integer !Vector2
 --
 -- /Cost/ O(n) multiplications of the coordinates' size.
 latticeFor :: [Point] -> Lattice
-latticeFor points = case foldl' widened Nothing points of
-  Nothing -> Lattice 1 (Vector2 0 0)
-  Just (Corner left bottom longest) -> Lattice scale (Vector2 (below left) (below bottom))
-    where
-      below v = floor (v * (scale % 1))
-      scale = fromMaybe 1 (foldlM common 1 points)
-      common found point
-        | own == 1 = Just found
-        | bitLength found' > 64 + 4 * longest = Nothing
-        | otherwise = Just found'
-        where
-          own = ownDenominator point
-          found' = found `lcm` own
-
--- The least x, the least y, and the bits of the longest denominator of a point.
-data Corner = Corner !Rational !Rational !Int
-
-widened :: Maybe Corner -> Point -> Maybe Corner
-widened found point@(Point x y) = Just $! case found of
-  Nothing -> Corner x y own
-  Just (Corner left bottom longest) -> Corner (min left x) (min bottom y) (max longest own)
+latticeFor [] = Lattice 1 (Vector2 0 0)
+latticeFor points = Lattice scale (Vector2 (below [x | Point x _ <- points]) (below [y | Point _ y <- points]))
   where
-    own = bitLength (ownDenominator point)
+    below values = floor (minimum values * (scale % 1))
+    scale = fromMaybe 1 (foldlM common 1 points)
+    longest = maximum (map (bitLength . ownDenominator) points)
+    common found point
+      | own == 1 = Just found
+      | bitLength found' > 64 + 4 * longest = Nothing
+      | otherwise = Just found'
+      where
+        own = ownDenominator point
+        found' = found `lcm` own
 
 ownDenominator :: Point -> Integer
 ownDenominator (Point x y)

@@ -113,10 +113,7 @@ scaledDouble :: Int -> Integer -> Integer -> Double
 scaledDouble k x w = fromRational (scaledExactly k x w)
 
 scaledExactly :: Int -> Integer -> Integer -> Rational
-scaledExactly _ 0 _ = 0
-scaledExactly k x w
-  | k >= 0 = x % (w * 2 ^ k)
-  | otherwise = (x * 2 ^ negate k) % w
+scaledExactly k x w = if x == 0 then 0 else (x % w) * 2 ^^ negate k
 
 -- | A bound on |x/w·2^−k − d|, d its rounded value. Zero where nothing was rounded. Otherwise u·d·(1 + 2^−50) covers
 -- the relative error u = 2^−53 of rounding to nearest (relative to the exact value, hence the slack), and 2^−1070

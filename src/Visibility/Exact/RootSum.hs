@@ -72,7 +72,7 @@ instance Num RootSum where
     LT -> Term n c (a' + b)
     EQ -> term n (c + d) (a' + b')
     GT -> Term m d (a + b')
-  a * b = mconcat [rootTimes r n a | (r, n) <- terms b]
+  a * b = mconcat [a `byRoot` (recip (r * fromInteger n), n) | (r, n) <- terms b]
   negate = mapped negate
   abs s = s * signum s
   signum s = case sign s of
@@ -115,13 +115,8 @@ instance Semigroup RootSum where
 
 instance Monoid RootSum where
   mempty = zero
-  -- Neighbours first: a sum of many is then O(t log t) for t terms in all.
-  mconcat [] = zero
-  mconcat [s] = s
-  mconcat sums = mconcat (pairs sums)
-    where
-      pairs (a : b : rest) = a + b : pairs rest
-      pairs rest = rest
+  -- O(t log t) for t terms in all.
+  mconcat = balancedSum
 
 -- | The empty sum.
 zero :: RootSum
@@ -129,7 +124,7 @@ zero = End
 
 -- | A rational number, as its multiple of √1.
 rational :: Rational -> RootSum
-rational c = positiveRoot c 1
+rational c = nonNegativeRoot c 1
 
 -- | @root c n@ is c √n.
 --
@@ -168,10 +163,7 @@ terms End = []
 terms (Term n c rest) = (c, n) : terms rest
 
 nonNegativeRoot :: Rational -> Integer -> RootSum
-nonNegativeRoot c n = if n == 0 then zero else positiveRoot c n
-
-positiveRoot :: Rational -> Integer -> RootSum
-positiveRoot c n = term n c zero
+nonNegativeRoot c n = if n == 0 then zero else term n c zero
 
 -- The sum with one more term, of a lesser radicand than any, if its coefficient is not zero.
 term :: Integer -> Rational -> RootSum -> RootSum
@@ -185,20 +177,12 @@ totalsBy found = Map.map mconcat (Map.fromListWith (<>) [(key, [s]) | (key, s) <
 
 -- | A rational multiple of a sum.
 scaled :: Rational -> RootSum -> RootSum
-scaled r s
-  | r == 0 = zero
-  | otherwise = mapped (r *) s
+scaled r s = if r == 0 then zero else mapped (r *) s
 
 -- Coefficients that are not zero must stay so.
 mapped :: (Rational -> Rational) -> RootSum -> RootSum
 mapped _ End = End
 mapped f (Term n c rest) = Term n (f c) (mapped f rest)
-
--- By a positive root.
-rootTimes :: Rational -> Integer -> RootSum -> RootSum
-rootTimes r n s = collected [productOf c m (gcd m n) | (c, m) <- terms s]
-  where
-    productOf c m g = ((m `quot` g) * (n `quot` g), multiplied g (c * r))
 
 -- | @quotientByRoot s r n@ is s \/ (r √n), again a sum of roots: for a form factor, the measure by twice a side's
 -- length.
@@ -211,7 +195,11 @@ rootTimes r n s = collected [productOf c m (gcd m n) | (c, m) <- terms s]
 quotientByRoot :: RootSum -> Rational -> Integer -> Maybe RootSum
 quotientByRoot s r n
   | n <= 0 || r == 0 = Nothing
-  | otherwise = Just (collected [quotientOf c m (gcd m n) | (c, m) <- terms s])
+  | otherwise = Just (s `byRoot` (r, n))
+
+-- | The quotient by r √n, neither being zero.
+byRoot :: RootSum -> (Rational, Integer) -> RootSum
+byRoot s (r, n) = collected [quotientOf c m (gcd m n) | (c, m) <- terms s]
   where
     -- Rational arithmetic step by step would look for common divisors at each step; these numbers may be huge.
     quotientOf c m g =

@@ -9,6 +9,7 @@ module Visibility.Exact.SquareClass
   , preparedRoot
   , mergedTerms
   , multiplied
+  , balancedSum
   ) where
 
 import Control.Monad (guard)
@@ -121,7 +122,7 @@ multiplied :: (Integral a, Num c) => a -> c -> c
 multiplied k c = if k == 1 then c else fromIntegral k * c
 {-# INLINE multiplied #-}
 
--- | Adds neighbours first: unrelated denominators then cost far less than one by one.
+-- | Adds neighbours first: long numbers, unrelated denominators and long sums then cost far less than one by one.
 balancedSum :: Num c => [c] -> c
 balancedSum [] = 0
 balancedSum [c] = c

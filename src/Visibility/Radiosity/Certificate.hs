@@ -13,7 +13,7 @@ module Visibility.Radiosity.Certificate
 
 import Control.Monad (foldM)
 import Control.Monad.ST (runST)
-import Data.Bits (shiftL, shiftR)
+import Data.Bits (shift, shiftR)
 import Data.List (foldl')
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -81,7 +81,7 @@ residuals system x = V.imap residual (systemPatches system)
         n = toInteger (length entries)
     from k = x V.! fromIntegral (cols U.! k)
     -- A factor is at most 1.
-    byDouble f y = let (m, e) = decodeFloat f in if e <= 0 then (m * y) `shiftR` negate e else (m * y) `shiftL` e
+    byDouble f y = let (m, e) = decodeFloat f in (m * y) `shift` e
 
 -- | Bounds of the true radiosities, and of the light Σ F_ij B_j, in units of the system.
 data Enclosure = Enclosure
@@ -151,7 +151,7 @@ lightErrors system sizes
       | otherwise =
           let (m, e) = decodeFloat t
               k = e + scale
-           in if k >= 0 then m `shiftL` k else (m `shiftR` negate k) + 1
+           in m `shift` k + (if k >= 0 then 0 else 1)
 
 -- | An integer by a power of two as a Double that is no smaller, and as little larger as matters. /Requires/ that both
 -- are not negative, and the quotient at most 1.

@@ -11,7 +11,7 @@ module Visibility.Radiosity.Solve
 
 import Control.Monad (foldM)
 import Control.Monad.ST (runST)
-import Data.Bits (shiftL, shiftR)
+import Data.Bits (shift, shiftR)
 import Data.Ratio ((%))
 import Data.Semigroup (Min (..))
 import qualified Data.Vector as V
@@ -87,11 +87,7 @@ scaledDown scale m = encodeFloat (m `shiftR` k) (k - scale)
 scaledUp :: Int -> Double -> Integer
 scaledUp scale d
   | isNaN d || isInfinite d = 0
-  | k >= 0 = m `shiftL` k
-  | otherwise = m `shiftR` negate k
-  where
-    (m, e) = decodeFloat d
-    k = e + scale
+  | otherwise = let (m, e) = decodeFloat d in m `shift` (e + scale)
 
 -- | What relaxing needs to know of the elements, as Doubles.
 data Gains = Gains
