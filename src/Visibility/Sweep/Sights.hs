@@ -28,7 +28,7 @@ import Visibility.Exact.Predicate
 import Visibility.Incidence
 import Visibility.Scene
 import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical (Vertical (..), solid, verticalSweep)
+import Visibility.Sweep.Vertical (Vertical (..), following, preceding, solid, verticalSweep)
 
 -- | By corner: the objects in front and at the back of it, and 1 where the following corner of its polygon lies above
 -- its line.
@@ -44,9 +44,8 @@ startSights scene =
   Sights
     (floors vertical)
     (ceilings vertical)
-    (U.generate n (\p -> let CornerId q = nextCorner scene (CornerId p) in if q > p then 1 else 0))
+    (U.generate (cornerCount scene) (\p -> if following scene p > p then 1 else 0))
   where
-    n = cornerCount scene
     vertical = verticalSweep scene
 
 -- | What a corner sees now.
@@ -118,9 +117,3 @@ landing scene !p !q objects
   | otherwise = M.unsafeRead objects q >>= M.unsafeWrite objects p
   where
     x = preceding scene q
-
-following, preceding :: Scene -> Int -> Int
-following scene p = let CornerId q = nextCorner scene (CornerId p) in q
-preceding scene p = let CornerId q = previousCorner scene (CornerId p) in q
-{-# INLINE following #-}
-{-# INLINE preceding #-}

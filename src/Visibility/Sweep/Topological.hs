@@ -33,7 +33,7 @@ import Visibility.Sweep.HorizonTree.Plant
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Piece
 import Visibility.Sweep.Vertex
-import Visibility.Sweep.Vertical
+import Visibility.Sweep.Vertical hiding (following, preceding)
 
 -- | All vertices of the complex, lazily. Which of the many topological orders it is depends on nothing but the scene.
 --

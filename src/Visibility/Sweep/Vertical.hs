@@ -13,6 +13,8 @@ module Visibility.Sweep.Vertical
     Heading (..)
   , before
   , along
+  , following
+  , preceding
     -- * Codes in tables
   , solid
   , skyCode
@@ -95,6 +97,7 @@ freeAbove scene (Segment a b) = if following scene b == a then b else solid
 freeBelow :: Scene -> Segment -> Int
 freeBelow scene (Segment a b) = if following scene a == b then a else solid
 
+-- | The corners at the other ends of the two sides of a corner.
 following, preceding :: Scene -> Int -> Int
 following scene p = let CornerId q = nextCorner scene (CornerId p) in q
 preceding scene p = let CornerId q = previousCorner scene (CornerId p) in q

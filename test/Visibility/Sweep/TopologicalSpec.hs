@@ -50,6 +50,15 @@ inReference :: Tree -> Picture
 inReference tree =
   (targets tree, Map.filter (not . null) (Map.map Map.elems (arrivals tree)), linked tree, otherEnd tree)
 
+nodeAt :: Table -> Field -> Node
+nodeAt table = Node . at table
+
+listAt :: Table -> Field -> List
+listAt table = List . at table
+
+sourceAt :: Table -> Node -> Int
+sourceAt table node = if isEdgeNode node then nodeOwner node else at table (source (nodeOwner node))
+
 inTable :: Scene -> Table -> Picture
 inTable scene table = (Map.fromList found, Map.fromList lists, Set.fromList (filter isLinked (corners scene)), ends)
   where

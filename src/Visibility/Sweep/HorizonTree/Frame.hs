@@ -20,7 +20,7 @@ import Visibility.Exact.Point
 import Visibility.Exact.Predicate
 import Visibility.Scene
 import Visibility.Sweep.HorizonTree.Table
-import Visibility.Sweep.Vertical
+import Visibility.Sweep.Vertical (Heading (..), before)
 
 -- | A scene as a heading sees it. A sum, not a product with a heading in it: so it is passed to the steps as one
 -- pointer instead of field by field, and the numbers beside it fit into registers.

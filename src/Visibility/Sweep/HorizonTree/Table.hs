@@ -41,12 +41,9 @@ module Visibility.Sweep.HorizonTree.Table
   , at
   , get
   , put
-  , nodeAt
   , getNode
   , putNode
-  , sourceAt
   , getSource
-  , listAt
   , getList
   , putList
   ) where
@@ -192,9 +189,6 @@ leaf (Node e) = e + 3
 {-# INLINE leaf #-}
 
 -- | The corner that a node comes from.
-sourceAt :: Table -> Node -> Int
-sourceAt table node = if isEdgeNode node then nodeOwner node else at table (source (nodeOwner node))
-
 getSource :: Growing s -> Node -> ST s Int
 getSource table node = if isEdgeNode node then pure (nodeOwner node) else get table (source (nodeOwner node))
 {-# INLINE getSource #-}
@@ -202,12 +196,6 @@ getSource table node = if isEdgeNode node then pure (nodeOwner node) else get ta
 at :: Table -> Field -> Int
 at (Table array) i = fromIntegral (indexPrimArray array i)
 {-# INLINE at #-}
-
-nodeAt :: Table -> Field -> Node
-nodeAt table = Node . at table
-
-listAt :: Table -> Field -> List
-listAt table = List . at table
 
 get :: Growing s -> Field -> ST s Int
 get (Growing table) i = do
