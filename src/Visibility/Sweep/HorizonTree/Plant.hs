@@ -15,7 +15,7 @@ import Visibility.Sorting
 import Visibility.Sweep.HorizonTree
 import Visibility.Sweep.HorizonTree.Frame
 import Visibility.Sweep.HorizonTree.Table
-import Visibility.Sweep.Vertical
+import Visibility.Sweep.Vertical (solid)
 
 -- | The tree at the start of the half turn, in which the sweep can go on, from the 'firstTargets' of its heading.
 --
@@ -30,16 +30,8 @@ plant f targets = do
     unless (l == noList) $ putNode tree (edge p) (nodeTo p l)
     -- To the sky, which at most one edge leads to: all corners but the last one under it have one ahead.
     unless (l == noList || isCornerList l) $ append tree l (edgeNode p)
-  eachCorner $ \q -> do
-    let nodes = bucketSlice arriving q
-        !l = cornerList q
-        nodeAt' = nodeCoded . U.unsafeIndex nodes
-    case U.length nodes of
-      0 -> pure ()
-      1 -> append tree l (nodeAt' 0)
-      2 | ascending q (nodeAt' 0) (nodeAt' 1) == GT -> append tree l (nodeAt' 1) >> append tree l (nodeAt' 0)
-        | otherwise -> append tree l (nodeAt' 0) >> append tree l (nodeAt' 1)
-      _ -> mapM_ (append tree l) (sortBy (ascending q) (map nodeCoded (U.toList nodes)))
+  eachCorner $ \q ->
+    mapM_ (append tree (cornerList q)) (sortBy (ascending q) (map nodeCoded (bucketOf arriving q)))
   eachCorner (relink f tree)
   pure tree
   where
@@ -68,7 +60,7 @@ plant f targets = do
       where
         i = k `quot` 2
         q = following f i
-    nodeCoded code = let k = fromIntegral code `quot` 2 in if even code then edgeNode k else markerNode k
+    nodeCoded code = if even code then edgeNode (code `quot` 2) else markerNode (code `quot` 2)
     ascending q a b = case turnIn f q (sourceOf a) (sourceOf b) of
       LeftTurn -> LT
       Collinear -> compare (isLowerFace q a) (isLowerFace q b)
