@@ -77,7 +77,7 @@ report: build ## speed against error, into docs/report (minutes); QUICK=1: withi
 	@. tools/common.sh; build bench:report; "$$(built bench:report)" $$EXE $(if $(QUICK),dist-newstyle/report quick,docs/report)
 
 .PHONY: ladder
-ladder: build ## the sweeps on scenes of all families and sizes; BENCH_ARGS names families
+ladder: build ## the sweeps, and growth of all commands, on scenes of all kinds and sizes; BENCH_ARGS names kinds
 	@. tools/common.sh; build bench:ladder; "$$(built bench:ladder)" $(BENCH_ARGS)
 
 .PHONY: bench-peers
