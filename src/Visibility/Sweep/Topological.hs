@@ -23,6 +23,7 @@ import qualified Control.Monad.ST.Lazy as Lazy
 import Data.Int (Int32)
 import qualified Data.IntSet as IntSet
 import Data.List (sort)
+import Data.Maybe (fromMaybe)
 import Data.Primitive.PrimArray
 import Visibility.Exact.Predicate
 import Visibility.Law (broken)
@@ -74,10 +75,24 @@ data Running s = Running
   , stack :: !(MutablePrimArray s Int32)
   -- ^ The corners at which a vertex may be ready, each once.
   , isPending :: !(MutablePrimArray s Int32)
-  -- ^ By corner: 1 where it is on the stack.
+  -- ^ By corner: 0 where it is not on the stack, 1 where it is, more where it is but waits: the tree and the corner
+  -- that block its line. See Note [Waiting].
+  , blocking :: !(MutablePrimArray s Int32)
+  -- ^ By corner that waits: the corner that the pair of the blocking one leads to.
   , written :: !(MutablePrimArray s Int32)
   -- ^ The vertices of the piece at hand, in the numbers of a 'Piece'.
   }
+
+-- Note [Waiting]
+-- ~~~~~~~~~~~~~~
+-- A line may be looked at in vain, because at one of its corners, the blocking one, a pair of less slope is next in one
+-- of the trees; that may be the neighbour of the corner that was looked at, if their pair is not mutual. It cannot
+-- be swept until that tree edge has been. All other corners of which both ways along the line were met have the line as
+-- what is next with the least slope: so none of them is on a vertex that is ready before the line is. As long as the
+-- tree edge is there, they need not be looked at when they are taken off the stack: else each of k corners would look
+-- at k others. If it has gone, they are looked at as any other corner is, so vertices come in the order of the
+-- reference. From a corner one looks along both arms by turns, to the next blocking corner on one of them: like merging
+-- the lesser of two parts into the greater one, this takes O(k log k) steps in all.
 
 -- | How far the sweep is: corners on the stack, pairs swept since the start, numbers written of the piece at hand.
 data Progress = Progress {depth :: !Int, pairsSwept :: !Int, size :: !Int}
@@ -96,7 +111,7 @@ begun scene = do
   flags <- newPrimArray n
   setPrimArray flags 0 n 1
   -- The last vertex of a piece may have each corner of the scene once.
-  Running scene toRight toLeft right left corners' flags <$> newPrimArray (pieceSize + n)
+  Running scene toRight toLeft right left corners' flags <$> newPrimArray n <*> newPrimArray (pieceSize + n)
   where
     n = cornerCount scene
     vertical = verticalSweep scene
@@ -118,10 +133,15 @@ run state !most = go
       | pairsSwept now > n * (n - 1) `div` 2 = broken "each elementary pair is swept once" (show (pairsSwept now))
       | otherwise = do
           p <- fromIntegral <$> readPrimArray (stack state) (depth now - 1)
+          flag <- readPrimArray (isPending state) p
           writePrimArray (isPending state) p 0
           let popped = now {depth = depth now - 1}
-          ahead <- getList (rightTree state) (target p)
-          if isCornerList ahead then try OfRightTree popped p p (listOwner ahead) else tryLeft popped p
+          waits <- if flag < 2 then pure False else isBlocked state p (fromIntegral flag)
+          if waits
+            then go popped
+            else do
+              ahead <- getList (rightTree state) (target p)
+              if isCornerList ahead then try OfRightTree popped p p (listOwner ahead) else tryLeft popped p
     tryLeft !now !p = do
       back <- getList (leftTree state) (target p)
       if isCornerList back then try OfLeftTree now p (listOwner back) p else go now
@@ -134,7 +154,9 @@ run state !most = go
         PerhapsLine -> tryLine which now p a b
     -- Apart, so that nothing is allocated for it where it is not needed.
     tryLine which !now !p !a !b =
-      readyLine state a b >>= maybe (failed which now p) (\line -> sweepVertex state now line >>= go)
+      readyLine state a b >>= either (\blocked -> wait state blocked >> failed which now p) swept
+      where
+        swept line = sweepVertex state now line >>= go
     failed which !now !p = case which of
       OfRightTree -> tryLeft now p
       OfLeftTree -> go now
@@ -185,19 +207,26 @@ continuing f !a !b !l
 -- corners found, the last first; the corner to go on from, or nothing where the line ends.
 data Arm s = Arm !(Growing s) !(Growing s) !Turn ![Int] !(Maybe Int)
 
--- | The vertex that this pair is on, if it may be swept. See Note [Line] of the reference.
+-- | Corners that wait as long as the next pair of a corner in a tree is what it is. See Note [Waiting].
+data Blocked = Blocked ![Int] !Block
+
+-- | The tree in which the corner's pair is next, by its turn to greater slopes; the corner; the list of the corner that
+-- it leads to.
+data Block = Block !Turn !Int !List
+
+-- | The vertex that this pair is on if it may be swept, else what waits for what. See Note [Line] of the reference.
 --
 -- /Cost/ O(1) for each corner; O(log k) for each of k corners where there are split ends.
-readyLine :: Running s -> Int -> Int -> ST s (Maybe Vertex)
+readyLine :: Running s -> Int -> Int -> ST s (Either Blocked Vertex)
 readyLine state@Running {sweptScene = scene} !p !q
-  | hasSplitEnds scene = (>>= vertexOn . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
+  | hasSplitEnds scene = fmap (vertexOn . IntSet.toAscList) <$> collected [p] (IntSet.singleton p)
   | otherwise = byTurns (arm left right RightTurn) (arm right left LeftTurn)
   where
     (left, right) = (leftTree state, rightTree state)
-    vertexOn = fromCorners . map CornerId
+    vertexOn line = fromMaybe (broken "a line has two corners" (show line)) (fromCorners (map CornerId line))
     arm tree back greater = Arm tree back greater [] (Just p)
-    -- One corner further on either arm by turns; nothing where a pair of less slope is next, or one that is not mutual.
-    byTurns (Arm _ _ _ found Nothing) (Arm _ _ _ found' Nothing) = pure (vertexOn (sort (p : found <> found')))
+    -- One corner further on either arm by turns, as long as no pair of less slope is next, nor one that is not mutual.
+    byTurns (Arm _ _ _ found Nothing) (Arm _ _ _ found' Nothing) = pure (Right (vertexOn (sort (p : found <> found'))))
     byTurns ended@(Arm _ _ _ _ Nothing) other = byTurns other ended
     byTurns (Arm tree back greater found (Just c)) other = do
       l <- getList tree (target c)
@@ -208,32 +237,39 @@ readyLine state@Running {sweptScene = scene} !p !q
         else case turn (scenePoints scene) p q d of
           Collinear -> do
             r <- getList back (target d)
-            if r == cornerList c then byTurns other (Arm tree back greater (d : found) (Just d)) else pure Nothing
-          side -> if side == greater then ends else pure Nothing
+            if r == cornerList c
+              then byTurns other (Arm tree back greater (d : found) (Just d))
+              else blocked (Block (opposite greater) d r)
+          side -> if side == greater then ends else blocked (Block greater c l)
+      where
+        -- Both ways are known but at the corners to go on from.
+        blocked by =
+          let Arm _ _ _ found' next = other
+           in pure (Left (Blocked (filter (\e -> e /= c && Just e /= next) (p : found <> found')) by))
     -- The same where a free end of a wall may lead along both faces.
-    collected [] line = pure (Just line)
+    collected [] line = pure (Right line)
     collected (c : rest) line = do
       ahead <- nextOnLine right left LeftTurn c
       behind <- nextOnLine left right RightTurn c
       case (<>) <$> ahead <*> behind of
-        Nothing -> pure Nothing
-        Just onwards ->
+        Left by -> pure (Left (Blocked (filter (`notElem` (c : rest)) (IntSet.toList line)) by))
+        Right onwards ->
           let new = filter (`IntSet.notMember` line) onwards in collected (rest <> new) (foldr IntSet.insert line new)
     nextOnLine tree back greater c = do
       l <- getList tree (target c)
       let d = listOwner l
           onwards = if isSplit c && d `elem` besides c then besides c else [d]
       if not (isCornerList l)
-        then pure (Just [])
+        then pure (Right [])
         else case turn (scenePoints scene) p q d of
-          Collinear -> do
-            areMutual <- and <$> mapM (c `isNextOf`) onwards
-            pure (if areMutual then Just onwards else Nothing)
-          side -> pure (if side == greater then Just [] else Nothing)
+          Collinear -> (onwards <$) . sequence_ <$> mapM (c `isNextOf`) onwards
+          side -> pure (if side == greater then Right [] else Left (Block greater c l))
       where
         c' `isNextOf` e = do
           r <- getList back (target e)
-          pure (r == cornerList c' || isSplit e && c' `elem` besides e && r `elem` map cornerList (take 1 (besides e)))
+          let isMutual =
+                r == cornerList c' || isSplit e && c' `elem` besides e && r `elem` map cornerList (take 1 (besides e))
+          pure (if isMutual then Right () else Left (Block (opposite greater) e r))
     isSplit = isSplitEnd scene . CornerId
     besides c = [d | CornerId d <- [nextCorner scene (CornerId c), previousCorner scene (CornerId c)]]
 {-# NOINLINE readyLine #-}
@@ -271,13 +307,28 @@ sweepVertex state !now vertex = do
 push :: Running s -> Int -> Int -> ST s Int
 push state !deep !p = do
   already <- readPrimArray (isPending state) p
-  if already == 1
+  writePrimArray (isPending state) p 1
+  if already /= 0
     then pure deep
     else do
-      writePrimArray (isPending state) p 1
       writePrimArray (stack state) deep (fromIntegral p)
       pure (deep + 1)
 {-# INLINE push #-}
+
+-- | Notes that corners need not be looked at as long as the block is there.
+wait :: Running s -> Blocked -> ST s ()
+wait state (Blocked met (Block greater c l)) = forM_ met $ \p -> do
+  flag <- readPrimArray (isPending state) p
+  when (flag /= 0) $ do
+    writePrimArray (isPending state) p (fromIntegral (2 * c + (if greater == LeftTurn then 2 else 3)))
+    writePrimArray (blocking state) p (fromIntegral (listOwner l))
+
+-- | Is that still there for which a corner with this mark waits?
+isBlocked :: Running s -> Int -> Int -> ST s Bool
+isBlocked state p flag = do
+  next <- readPrimArray (blocking state) p
+  now <- getList (if even flag then rightTree state else leftTree state) (target ((flag - 2) `div` 2))
+  pure (isCornerList now && listOwner now == fromIntegral next)
 
 -- | Asks that no pair is left. Unsafe arithmetic may stop before the end, with pairs that are never swept.
 exhausted :: Running s -> ST s ()

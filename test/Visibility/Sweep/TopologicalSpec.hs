@@ -6,7 +6,9 @@ import qualified Data.Set as Set
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (sample)
+import Visibility.Exact.Point (Point (..))
 import Visibility.Scene
+import Visibility.Scene.Raw (RawScene (..), rawWall)
 import Visibility.Sweep (vertices)
 import Visibility.Sweep.HorizonTree.Table
 import Visibility.Sweep.Reference (Target (..), Tree (..), start, step, treeOf)
@@ -18,7 +20,9 @@ spec :: Spec
 spec = describe "the fast sweep" $ do
   modifyMaxSuccess (* 20) $
     it "has the vertices of the reference, in the same order" $
-      property $ \(AnyScene s) -> let scene = sampleScene s in vertices scene === unfoldr (step scene) (start scene)
+      property $ \(AnyScene s) -> sameVertices s
+  it "has them in that order also where a line that waits is free before all its corners were looked at again" $
+    once (maybe (property False) sameVertices waiting)
   modifyMaxSuccess (* 10) $ do
     it "has its trees at any moment" $ property $ \(AnyScene s) -> sameTrees s
     it "has its trees at any moment, where polygons touch" $ property $ \(TouchingScene s) -> sameTrees s
@@ -26,6 +30,13 @@ spec = describe "the fast sweep" $ do
   it "has its trees at every moment" $
     property $ \(SmallScene s) -> let states = count s in conjoin [sameTreesAfter s k | k <- [0 .. states]]
   where
+    sameVertices s = let scene = sampleScene s in vertices scene === unfoldr (step scene) (start scene)
+    -- Walls of which three begin in one place, in a bent one.
+    waiting =
+      sample . RawScene Nothing Nothing . map (rawWall . map (uncurry Point)) $
+        [ [(2, 3), (1, 5)], [(3, 3), (5, 6)], [(1, 3), (1, 5)], [(8, 1), (8, 9), (0, 9), (0, 1)]
+        , [(3, 3), (4, 2)], [(3, 3), (0, 3)]
+        ]
     count s = let scene = sampleScene s in length (vertices scene)
     sameTrees s = forAll (choose (0, count s)) (sameTreesAfter s)
 
