@@ -45,16 +45,13 @@ count scene = foldl' add (Counts 0 0 0 0 0 0 unbounded)
       Counts
         { vertexCount = vertexCount counts + 1
         , degenerateCount = degenerateCount counts + (if isDegenerate scene vertex then 1 else 0)
-        , pairCount = pairCount counts + stated (vertexPairs scene vertex)
-        , bitangentCount = bitangentCount counts + stated (freeBitangents scene vertex)
+        , pairCount = pairCount counts + statedTotal (vertexPairs scene vertex)
+        , bitangentCount = bitangentCount counts + statedTotal (freeBitangents scene vertex)
         , edgeCount = edgeCount counts + length (filter (not . isBuried) after)
         , buriedCount = buriedCount counts + length (filter isBuried after)
         , faceCount = faceCount counts + facesBegun scene vertex
         }
-
-    stated pairs
-      | hasSharedPlaces scene = length (concatMap (statedPairs scene) pairs)
-      | otherwise = length pairs
+    statedTotal = sum . map (statedPairCount scene)
 
 -- | The faces that begin at a vertex: one for each of its elementary pairs, two for that of the two ends of a thin wall
 -- that nothing touches.

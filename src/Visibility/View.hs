@@ -18,6 +18,7 @@ module Visibility.View
   , freeBitangents
     -- * Pairs as the file calls them
   , statedPairs
+  , statedPairCount
     -- * The stream of events
   , Event (..)
   , events
@@ -66,15 +67,34 @@ freeBitangents scene vertex =
 -- second, smaller name first. Of the two pairs along the two faces of one piece of a thin wall, one has all the names,
 -- the other none.
 --
--- /Cost/ O(1) where nothing touches; of a side, O(k) for k corners in the places of its ends.
+-- /Cost/ O(1) for each, besides that of 'statedPairCount'.
 statedPairs :: Scene -> (CornerId, CornerId) -> [(CornerName, CornerName)]
 statedPairs scene (p, q)
   | not (hasSharedPlaces scene) = [inOrder (cornerName scene p) (cornerName scene q)]
-  | isSecondFace = []
+  | isSecondFace scene p q = []
   | otherwise = [inOrder a b | a <- namesHere scene p, b <- namesHere scene q]
   where
-    isSecondFace = q `elem` besides scene p && or [(p', q') < (p, q) | p' <- around p, q' <- besides scene p', samePlace scene q q']
     inOrder a b = if a <= b then (a, b) else (b, a)
+
+-- | How many they are.
+--
+-- /Cost/ O(1) where nothing touches. For a side it is O(k), for k corners in that place of its ends where there are
+-- fewer of them: that is O(n) for all sides together, since sides that do not cross make a planar graph.
+--
+-- /Source/ Chiba and Nishizeki, Arboricity and subgraph listing algorithms, 1985, for that sum.
+statedPairCount :: Scene -> (CornerId, CornerId) -> Int
+statedPairCount scene (p, q)
+  | not (hasSharedPlaces scene) = 1
+  | isSecondFace scene p q = 0
+  | otherwise = namesHereTotal scene p * namesHereTotal scene q
+
+-- | Is this pair a side, and the second one of the two faces of a piece of a wall?
+isSecondFace :: Scene -> CornerId -> CornerId -> Bool
+isSecondFace scene p q = q `elem` besides scene p && or (zipWith (||) fromFirst fromSecond)
+  where
+    -- Either list tells of all sides between the two places, so the end of the shorter one is enough.
+    fromFirst = [or [(p', q') < (p, q) | q' <- besides scene p', samePlace scene q q'] | p' <- around p]
+    fromSecond = [or [(p', q') < (p, q) | p' <- besides scene q', samePlace scene p p'] | q' <- around q]
     around c = before c <> [c] <> after c
     before (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c - 1, c - 2 .. 0])
     after (CornerId c) = takeWhile (samePlace scene (CornerId c)) (map CornerId [c + 1 .. cornerCount scene - 1])

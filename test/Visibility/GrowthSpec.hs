@@ -18,6 +18,7 @@ import Test.Hspec
 import Visibility.Complex (complexOf, faceIds)
 import Visibility.Complex.Law (violations)
 import Visibility.Complex.Type (stretchIds)
+import Visibility.Count (count)
 import Visibility.Draw.Drawing (Drawing)
 import Visibility.Draw.Dual (dualDrawing)
 import Visibility.Draw.Matrix (factorMatrix, matrixDrawing)
@@ -68,6 +69,19 @@ spec = do
         Just (breakCount (discontinuityMesh s (vertices s)))
       grow "its elements" checked $ \s ->
         Just (length (refinedElements (refined (discontinuityMesh s (vertices s)))))
+  for_ [InOnePoint, InOnePointClosed, WallsInOnePoint, Saw, Row, Slalom, WallRow, FlatCorners] $ \kind ->
+    describe ("bytes allocated, where much is in one place or on one line, on scenes of the kind " <> adversaryName kind) $ do
+      let grow what times prepare work =
+            it ("grow in proportion to " <> what) $
+              growth (Just . adversary kind . (times *)) prepare work >>= shouldBeSlow
+          statedTotal = length . statedCorners
+      grow "the corners that are checked" 1 Just (fmap statedTotal . checked)
+      grow "the corners and the pairs that are swept" 1 checked $ \s -> Just (statedTotal s + pairsOf s (vertices s))
+      -- To tell a name costs little, so it takes more of them to be seen.
+      grow "the corners and the pairs that are counted, whatever they are called" 8 checked $ \s ->
+        let swept = vertices s
+            counts = count s (events s swept)
+         in counts `seq` Just (statedTotal s + pairsOf s swept)
   for_ adversaries $ \kind ->
     describe ("bytes allocated, on scenes of the kind " <> adversaryName kind) $ do
       let grow what prepare work =

@@ -53,4 +53,4 @@ sceneDrawing scene vertices =
       , counted pairs "elementary visible pair" "elementary visible pairs"
       , counted (length bitangents) "free bitangent" "free bitangents"
       ]
-    pairs = length (concatMap (concatMap (statedPairs scene) . vertexPairs scene) vertices)
+    pairs = sum (map (statedPairCount scene) (concatMap (vertexPairs scene) vertices))

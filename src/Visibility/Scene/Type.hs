@@ -27,6 +27,7 @@ module Visibility.Scene.Type
     -- ** Their names
   , cornerName
   , namesHere
+  , namesHereTotal
   , cornersNamed
   , polygonSizes
   , statedPoint
@@ -265,8 +266,15 @@ cornerName scene (CornerId c) = statedName (sceneStated scene) (fromIntegral (na
 
 -- | All corners of the file in the place of this one, in order.
 namesHere :: Scene -> CornerId -> [CornerName]
-namesHere scene (CornerId c) =
-  map (statedName (sceneStated scene)) (bucketOf (statedByPlace scene) (fromIntegral (placeNumbers scene U.! c)))
+namesHere scene = map (statedName (sceneStated scene) . fromIntegral) . U.toList . statedHere scene
+
+-- | How many they are. /Cost/ O(1).
+namesHereTotal :: Scene -> CornerId -> Int
+namesHereTotal scene = U.length . statedHere scene
+
+-- Those corners, by their places in 'statedCorners'.
+statedHere :: Scene -> CornerId -> U.Vector Int32
+statedHere scene (CornerId c) = bucketSlice (statedByPlace scene) (fromIntegral (placeNumbers scene U.! c))
 
 -- | The corners of free space in the place of a corner of the file: one for each cone, none where it is all covered;
 -- 'Nothing' if the file has no such corner. /Cost/ O(log n).
