@@ -14,7 +14,6 @@ import Control.Monad.ST (runST)
 import Data.Int (Int32)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortBy, sortOn)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
@@ -161,27 +160,27 @@ data Occupant
 -- | The faces of sides that are not covered, cut where something touches them: at corners, each given with the one
 -- that starts the side.
 exposed :: Outline -> [(Int, Int)] -> [Face]
-exposed o found = concatMap facesOf (Map.elems together)
+exposed o found = concatMap facesOf (IntMap.elems together)
   where
     cuts = IntMap.fromListWith (<>) [(s, [i]) | (i, s) <- found]
     -- What lies along one piece; each is alone where nothing meets.
     together =
-      Map.fromListWith
+      IntMap.fromListWith
         (<>)
-        [ ((placeOf o low, placeOf o high), [piece])
+        [ (pairOf (numberOf o low) (numberOf o high), [piece])
         | piece@(low, high, _) <- concatMap piecesOf (polygonIndices o)
         ]
     piecesOf p =
       [ (low, high, occupant)
       | s <- segmentStarts o p
       , let t = around o 1 s
-      , let onwards = placeOf o s < placeOf o t
+      , let onwards = numberOf o s < numberOf o t
       , let occupant = occupantOf s onwards
       , let between = case IntMap.lookup s cuts of
               Nothing -> if onwards then [s, t] else [t, s]
-              Just corners -> sortOn (placeOf o) (s : t : corners)
+              Just corners -> sortOn (numberOf o) (s : t : corners)
       , (low, high) <- zip between (drop 1 between)
-      , placeOf o low /= placeOf o high
+      , numberOf o low /= numberOf o high
       ]
     occupantOf s onwards = case solidFlank o (ownerOf o s) of
       Nowhere
