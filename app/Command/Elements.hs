@@ -11,7 +11,6 @@ import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Options.Common
 import Options.Mesh
-import Options.Radiosity
 import Progress (stage)
 import Run (complain, ends, measuring, printed, streamed, sweeping, withScene)
 import Visibility.Error (Outcome (..))
@@ -45,10 +44,10 @@ meshed common options scene work = case meshBreaks options of
     within mesh = uncurry work (maybe (mesh, emptyMesh scene) (`bounded` mesh) (mostElements options))
 
 -- | Radiosities with their bounds; or how close bounds can be, where they cannot be as close as asked.
-runRadiosity :: Common -> RadiosityOptions -> IO ()
-runRadiosity common options = withScene common $ \scene ->
-  divided common (radiosityElements options) scene $ \cut ->
-    solved common ["--digits for exact form factors"] (radiosityCloseness options) cut (printed . radiosityDocument)
+runRadiosity :: Common -> Elements -> Closeness -> IO ()
+runRadiosity common elements close = withScene common $ \scene ->
+  divided common elements scene $ \cut ->
+    solved common ["--digits for exact form factors"] close cut (printed . radiosityDocument)
 
 -- | Works on the radiosities of elements; or ends the program where bounds cannot be as close as asked. Given is what
 -- the command may be told besides a tolerance.

@@ -4,6 +4,7 @@ module Command.Query
   , runGraph
   , LineOrder (..)
   , runFactors
+  , FactorValues (..)
   , runComplex
   , runVerify
   , runGenerate
@@ -15,7 +16,6 @@ import Data.ByteString.Builder (Builder, string7, stringUtf8)
 import Data.ByteString.Builder.Extra (byteStringCopy)
 import Data.Word (Word64)
 import Options.Common
-import Options.Factors
 import Options.Mesh (Elements (..))
 import Progress
 import Run (allowMemory, ends, measuring, printed, streamed, sweeping, sweepingPieces, withScene)
@@ -24,8 +24,9 @@ import Visibility.Complex (Complex, build)
 import Visibility.Complex.Law (checked)
 import Visibility.Count (count)
 import Visibility.Error (Outcome (..))
+import Visibility.Exact.Rounding (Digits)
 import Visibility.FormFactor (FactorRow (..), decimalFactors, exactFactors, nearestFactors)
-import Visibility.Format.Factors (Detail (..), decimalDocument, exactDocument, nearestDocument, sideBuilder)
+import Visibility.Format.Factors
 import Visibility.Format.Graph (PairSelection, linesOf, namesOf, pairKeys, sortedLines)
 import Visibility.Format.Info (infoText, verdictText)
 import Visibility.Format.Json (sceneDocument)
@@ -55,21 +56,28 @@ runGraph common selection order = withScene common $ \scene ->
 
 data LineOrder = ByName | AsSwept
 
+-- | What stands for a form factor.
+data FactorValues
+  = -- | A decimal of so many digits, correctly rounded, and perhaps the exact measure.
+    Decimals !Digits !Detail
+  | -- | The nearest Double.
+    NearestDoubles
+
 -- | The form factors.
-runFactors :: Common -> FactorOptions -> IO ()
-runFactors common options = withScene common $ \file -> divided common (factorElements options) file $ \cut -> do
+runFactors :: Common -> FactorFormat -> FactorValues -> Elements -> IO ()
+runFactors common format values elements = withScene common $ \file -> divided common elements file $ \cut -> do
   let scene = refinedScene cut
-      names = case factorElements options of
+      names = case elements of
         WholeSides -> sideBuilder
         ElementsOf _ -> string7 . elementNames cut
   sums <- measuring common scene
-  case factorValues options of
+  case values of
     Decimals wanted WithExactMeasures ->
-      watched (exactFactors wanted scene sums) $ printed . exactDocument (factorFormat options) wanted names scene
+      watched (exactFactors wanted scene sums) $ printed . exactDocument format wanted names scene
     Decimals wanted DecimalsOnly ->
-      watched (decimalFactors wanted scene sums) $ printed . decimalDocument (factorFormat options) wanted names scene
+      watched (decimalFactors wanted scene sums) $ printed . decimalDocument format wanted names scene
     NearestDoubles ->
-      watched (nearestFactors scene sums) $ printed . nearestDocument (factorFormat options) names scene
+      watched (nearestFactors scene sums) $ printed . nearestDocument format names scene
   where
     watched :: [FactorRow a] -> ([FactorRow a] -> IO ()) -> IO ()
     watched rows act = counting "form factors made" (length . rowFactors) rows >>= act

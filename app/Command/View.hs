@@ -1,6 +1,7 @@
 -- | What is seen from a point, a corner or a side.
 module Command.View
-  ( runView
+  ( From (..)
+  , runView
   , drawView
   ) where
 
@@ -8,7 +9,7 @@ import Command.Address (cornerNamed, sideNamed)
 import Data.ByteString.Builder (Builder, lazyByteString)
 import Data.List (intercalate)
 import Options.Common
-import Options.View
+import Options.Reader (Address)
 import Run (printed, refuse, sweeping, withScene, written)
 import Visibility.Complex (build)
 import Visibility.Complex.Locate (boundariesAt)
@@ -16,22 +17,32 @@ import Visibility.Complex.Walk
 import Visibility.Complex.Walk.Side
 import Visibility.Draw.Render (renderSvg)
 import Visibility.Draw.View (ViewFigure (..), viewDrawing)
+import Visibility.Exact.Point (Point)
 import Visibility.Exact.Predicate (Direction)
+import Visibility.Exact.Rounding (Digits)
+import Visibility.Format.Factors (Detail)
 import Visibility.Format.View (elementDocument, regionDocument, sideDocument)
 import Visibility.FormFactor (FormFactor (..))
 import Visibility.Scene
 import Visibility.Sight
 import Visibility.Sweep (Vertex)
 
+-- | Whose view is asked for.
+data From
+  = -- | A point, with the normal of an element there.
+    FromPoint !Point !(Maybe Direction)
+  | FromCorner !Address !(Maybe Direction)
+  | FromSide !Address
+
 -- | As JSON.
-runView :: Common -> ViewOptions -> IO ()
-runView common options = seeing common (viewFrom options) printed document
+runView :: Common -> From -> Digits -> Detail -> IO ()
+runView common from wanted detail = seeing common from printed document
   where
     document scene seen = case seen of
       SeenRegion viewpoint sights -> regionDocument viewpoint (region scene (viewpointAt viewpoint) sights)
       SeenByElement viewpoint normal sights ->
-        elementDocument (viewDetail options) (viewDigits options) viewpoint normal (elementFactors scene normal sights)
-      SeenBySide side factors -> sideDocument (viewDetail options) (viewDigits options) side factors
+        elementDocument detail wanted viewpoint normal (elementFactors scene normal sights)
+      SeenBySide side factors -> sideDocument detail wanted side factors
 
 -- | As a figure.
 drawView :: From -> Common -> Maybe FilePath -> IO ()

@@ -12,10 +12,9 @@ module Options.Draw
 import Command.Draw
 import Data.Maybe (fromMaybe)
 import Options.Applicative
+import Options.Factors (place, toleranceGiven)
 import Options.Mesh
-import Options.Radiosity (toleranceGiven)
 import Options.Reader
-import Options.View
 import Visibility.Draw.Mesh (CastingLines (..))
 import Visibility.Draw.Values (Scaling (..))
 import Visibility.Radiosity (defaultTolerance)

@@ -9,9 +9,8 @@ module Options.Table
   ) where
 
 import Command.Draw (drawDual, drawScene)
-import Command.Elements (runMesh, runRadiosity)
+import Command.Elements (runMesh)
 import Command.Query
-import Command.View (runView)
 import Data.Bifunctor (first)
 import Data.List (intercalate)
 import qualified Data.Text as Text
@@ -23,9 +22,7 @@ import Options.Common
 import Options.Draw
 import Options.Factors
 import Options.Mesh
-import Options.Radiosity
 import Options.Reader
-import Options.View
 import qualified Paths_viscomplex as Paths
 import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Format.Complex (complexDocument, polygonDocument)
@@ -126,7 +123,7 @@ commands =
       , ("the nearest Doubles, fast", "viscomplex factors scenes/room.json --double > room.csv")
       ]
       ""
-      (with runFactors factorOptions)
+      (with factorOptions)
   , entry
       "complex"
       "Print the whole visibility complex as JSON: corners, vertices, edges, faces and their incidences, in an order \
@@ -147,7 +144,7 @@ commands =
       , ("the sides, with jq", "viscomplex radiosity scenes/room.json | jq -c '.sides[]'")
       ]
       ""
-      (with runRadiosity radiosityOptions)
+      (with radiosityOptions)
   , entry
       "view"
       "Print what is seen from a point, a corner or a side, as JSON: the visibility polygon, or with --normal the form \
@@ -160,7 +157,7 @@ commands =
       , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
       ]
       ""
-      (with runView viewOptions)
+      (with viewOptions)
   , entry
       "mesh"
       "Print the discontinuity mesh as JSON: for every side the exact points where the line of two corners that see \
@@ -203,7 +200,7 @@ commands =
       (Left . Explain <$> many (argument str (metavar "COMMAND" <> completeWith (map fst commands <> map fst figures))))
   ]
   where
-    with made options = checked ((\shared -> fmap (made shared)) <$> commonOptions <*> options)
+    with options = checked ((\shared -> fmap ($ shared)) <$> commonOptions <*> options)
     pairs =
       flag
         AllPairs
