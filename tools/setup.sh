@@ -6,9 +6,10 @@
 # The bounds of package.yaml, by the names of Debian.
 packages=(
   ghc cabal-install hpack hspec-discover
-  libghc-aeson-dev libghc-criterion-dev libghc-diagrams-lib-dev libghc-diagrams-svg-dev libghc-hspec-dev
-  libghc-optparse-applicative-dev libghc-primitive-dev libghc-quickcheck2-dev libghc-splitmix-dev
-  libghc-svg-builder-dev libghc-temporary-dev libghc-vector-dev libghc-vector-algorithms-dev libghc-weigh-dev
+  libghc-aeson-dev libghc-colour-dev libghc-criterion-dev libghc-diagrams-lib-dev
+  libghc-diagrams-svg-dev libghc-hspec-dev libghc-optparse-applicative-dev libghc-primitive-dev
+  libghc-quickcheck2-dev libghc-splitmix-dev libghc-svg-builder-dev libghc-temporary-dev libghc-vector-dev
+  libghc-vector-algorithms-dev libghc-weigh-dev
 )
 
 mkdir -p dist-newstyle

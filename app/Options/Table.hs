@@ -19,10 +19,9 @@ import Options.Applicative hiding (empty)
 import Options.Applicative.Help.Pretty (empty, indent, text, vsep)
 import Options.Applicative.Types (Context (..))
 import Options.Common
-import Options.Draw
-import Options.Factors
 import Options.Mesh
 import Options.Reader
+import Options.Results
 import qualified Paths_viscomplex as Paths
 import Visibility.Complex.Polygons (polygonComplex)
 import Visibility.Format.Complex (complexDocument, polygonDocument)
@@ -78,10 +77,13 @@ choiceOf :: String -> [Entry] -> Parser (Either Instead (IO ()))
 choiceOf shape entries =
   hsubparser (metavar shape <> commandGroup ("Each " <> shape <> ":") <> foldMap (uncurry command) entries)
 
--- | A command or a figure: its word, what it is for, examples, more lines, and its arguments, or what is wrong with
--- them together.
-entry :: String -> String -> [(String, String)] -> String -> Parser (Either Instead (IO ())) -> Entry
-entry name purpose shown more arguments = (name, described)
+-- | A command or a figure: its word, what it is for, examples, and its arguments, or what is wrong with them together.
+entry :: String -> String -> [(String, String)] -> Parser (Either Instead (IO ())) -> Entry
+entry name purpose shown = entryWith name purpose shown ""
+
+-- | With more lines below the examples.
+entryWith :: String -> String -> [(String, String)] -> String -> Parser (Either Instead (IO ())) -> Entry
+entryWith name purpose shown more arguments = (name, described)
   where
     described = info (first within <$> arguments) (progDesc purpose <> examples shown more)
     within (Mistake inner wrong) = Mistake (inner <> [Context name described]) wrong
@@ -101,7 +103,6 @@ commands =
       "info"
       "Count what the scene and its visibility complex consist of."
       [("a file", "viscomplex info scenes/grid.json")]
-      ""
       (right (runInfo <$> commonOptions))
   , entry
       "graph"
@@ -111,7 +112,6 @@ commands =
       , ("the lines that bound shadows", "viscomplex graph scenes/grid.json --bitangents")
       , ("in memory that does not grow with the output", "viscomplex graph big.json --unsorted | wc -l")
       ]
-      ""
       (right (runGraph <$> commonOptions <*> pairs <*> order))
   , entry
       "factors"
@@ -122,7 +122,6 @@ commands =
       , ("the exact sums of roots", "viscomplex factors scenes/two-squares.json --format json --exact")
       , ("the nearest Doubles, fast", "viscomplex factors scenes/room.json --double > room.csv")
       ]
-      ""
       (with factorOptions)
   , entry
       "complex"
@@ -132,7 +131,6 @@ commands =
       , ("the faces, with jq", "viscomplex complex scenes/room.json | jq -c '.faces[]'")
       , ("of polygons instead of sides", "viscomplex complex scenes/grid.json --polygons")
       ]
-      ""
       (right (runComplex <$> commonOptions <*> objects))
   , entry
       "radiosity"
@@ -143,7 +141,6 @@ commands =
       , ("fifty digits, from exact form factors", "viscomplex radiosity scenes/room.json --digits 50")
       , ("the sides, with jq", "viscomplex radiosity scenes/room.json | jq -c '.sides[]'")
       ]
-      ""
       (with radiosityOptions)
   , entry
       "view"
@@ -156,7 +153,6 @@ commands =
       , ("an element that faces upwards", "viscomplex view scenes/room.json --from 1/2,3 --normal 0,1")
       , ("what a side sees", "viscomplex view scenes/room.json --side E.0 --digits 30")
       ]
-      ""
       (with viewOptions)
   , entry
       "mesh"
@@ -167,14 +163,12 @@ commands =
       , ("at most 8 elements on a side", "viscomplex mesh scenes/room.json --max-elements 8")
       , ("ten equal parts", "viscomplex mesh scenes/room.json --breaks uniform:10")
       ]
-      ""
       (right (runMesh <$> commonOptions <*> meshOptions))
   , entry
       "verify"
       "Build the complex and decide every one of its laws, exactly: one line each, and one that counts them. Ends with \
       \exit code 5 if one does not hold; the laws of the complex of polygons are then left out."
       [("a file", "viscomplex verify scenes/grid.json")]
-      ""
       (right (runVerify <$> commonOptions))
   , entry
       "draw"
@@ -182,9 +176,8 @@ commands =
       [ ("the scene with its free bitangents", "viscomplex draw scene scenes/room.json -o room.svg")
       , ("the options of a figure", "viscomplex help draw mesh")
       ]
-      ""
       (choiceOf "FIGURE" figures)
-  , entry
+  , entryWith
       "generate"
       "Print a scene of a named family. The same family, size and seed give the same scene."
       [ ("a thousand quadrilaterals", "viscomplex generate random --size 1000 --seed 7 > thousand.json")
@@ -196,7 +189,6 @@ commands =
       "help"
       "Explain a command, or a figure of draw."
       [("a command", "viscomplex help graph"), ("a figure", "viscomplex help draw scene")]
-      ""
       (Left . Explain <$> many (argument str (metavar "COMMAND" <> completeWith (map fst commands <> map fst figures))))
   ]
   where
@@ -264,9 +256,13 @@ figures =
     drawn = framed "FILE.svg"
     plain = pure . Right
     framed shape name purpose shown chosen =
-      entry name purpose [(what, unwords ["viscomplex draw", f, "scenes/room.json", o]) | (what, f, o) <- shown] "" $
-        checked (drawing <$> commonOptions <*> chosen <*> outputOption shape)
+      entry name purpose [(what, unwords ["viscomplex draw", f, "scenes/room.json", o]) | (what, f, o) <- shown] $
+        checked (drawing <$> commonOptions <*> chosen <*> optional (output shape))
     drawing shared wanted file = (\draw -> draw shared file) <$> wanted
+    output shape =
+      option (eitherReader (readingOf (outputFile shape))) $
+        short 'o' <> long "output" <> metavar shape <> completer (readingCompleter (outputFile shape))
+          <> help "Where to write. (default: standard output)"
 
 -- | Examples, each with its purpose, and further lines, below the list of options.
 examples :: [(String, String)] -> String -> InfoMod a

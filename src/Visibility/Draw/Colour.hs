@@ -14,12 +14,13 @@ module Visibility.Draw.Colour
     -- * Their colours
   , Lab (..)
   , labOf
-  , Rgb (..)
   , rgbOf
   , hexText
   ) where
 
-import Numeric (showHex)
+import Data.Colour (Colour)
+import Data.Colour.SRGB (sRGB24show)
+import Data.Colour.SRGB.Linear (rgb)
 
 -- | A step of the scale, from 0, the darkest, to 100, the brightest.
 newtype Shade = Shade Int
@@ -64,15 +65,11 @@ labOf shade = Lab (between 0.25 0.92) (chroma * cos hue) (chroma * sin hue)
     hue = between 280 470 * pi / 180
     between from to = from + position shade * (to - from)
 
--- | A colour in sRGB: red, green, blue, each from 0 to 1.
-data Rgb = Rgb !Double !Double !Double
-  deriving (Eq, Show)
-
 -- | The colour of a step as screens show it.
 --
--- /Laws/ nothing is clipped: each component is within 0 and 1 as it is computed.
-rgbOf :: Shade -> Rgb
-rgbOf shade = Rgb (companded red) (companded green) (companded blue)
+-- /Laws/ nothing is clipped: each component is within 0 and 1.
+rgbOf :: Shade -> Colour Double
+rgbOf shade = rgb red green blue
   where
     Lab light a b = labOf shade
     -- The answers of the eye's three receptors.
@@ -83,13 +80,7 @@ rgbOf shade = Rgb (companded red) (companded green) (companded blue)
     green = 2.6097574011 * middle - 1.2684380046 * long - 0.3413193965 * short
     blue = 1.7076147010 * short - 0.0041960863 * long - 0.7034186147 * middle
     cubed v = v * v * v
-    companded v
-      | v <= 0.0031308 = 12.92 * v
-      | otherwise = 1.055 * v ** (1 / 2.4) - 0.055
 
 -- | @#rrggbb@, each component next to the colour's.
 hexText :: Shade -> String
-hexText shade = '#' : concatMap component [red, green, blue]
-  where
-    Rgb red green blue = rgbOf shade
-    component v = let digits = showHex (round (255 * v) :: Int) "" in replicate (2 - length digits) '0' <> digits
+hexText = sRGB24show . rgbOf

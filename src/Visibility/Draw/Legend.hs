@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | Legends and captions: a row of swatches with their meanings, broken where it gets too long, and lines of text.
 module Visibility.Draw.Legend
   ( Entry (..)
@@ -11,6 +13,7 @@ module Visibility.Draw.Legend
   , rowHeight
   ) where
 
+import Data.List (inits)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Visibility.Draw.Drawing
@@ -66,32 +69,26 @@ legend left top width entries =
 advance :: Entry -> Double
 advance entry = swatchWidth + swatchGap + textWidth Caption (entryText entry) + entryGap
 
--- | As many entries to a row as fit.
 rows :: Double -> [Entry] -> [[Entry]]
-rows _ [] = []
-rows width (entry : entries) = go (advance entry) [entry] entries
+rows width = filled (\row -> sum (map advance row) - entryGap <= width)
+
+-- | As many things to a row as fit, but at least one.
+filled :: ([a] -> Bool) -> [a] -> [[a]]
+filled _ [] = []
+filled fits things = row : filled fits rest
   where
-    go _ row [] = [reverse row]
-    go x row (next : rest)
-      | x + advance next - entryGap <= width = go (x + advance next) (next : row) rest
-      | otherwise = reverse row : go (advance next) [next] rest
+    (row, rest) = splitAt (max 1 (length (takeWhile fits (drop 1 (inits things))))) things
 
 -- | Texts joined by commas to lines that fit a width; the base line of the first line, and the rest below.
 captionLines :: Double -> Double -> Double -> [Text] -> [Mark]
 captionLines left base width parts =
   [ plain Caption (Label StartAnchor (Place left (base - rowHeight * k)) line)
-  | (k, line) <- zip [0 ..] (filled parts)
+  | (k, line) <- zip [0 ..] (zipWith (<>) (map joined inRows) (map (const ",") (drop 1 inRows) <> [""]))
   ]
   where
-    comma = Text.pack ", "
-    filled [] = []
-    filled (part : rest) = go part rest
-    go line [] = [line]
-    go line (part : rest)
-      | textWidth Caption longer <= width = go longer rest
-      | otherwise = Text.snoc line ',' : go part rest
-      where
-        longer = line <> comma <> part
+    inRows = filled fits parts
+    joined = Text.intercalate ", "
+    fits row = textWidth Caption (joined row) <= width
 
 -- | A text cut so that it fits a width. /Cost/ linear in the text.
 shortened :: Style -> Double -> Text -> Text

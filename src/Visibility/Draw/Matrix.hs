@@ -15,7 +15,7 @@ import Data.Function (on)
 import Data.List (sortOn)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -172,16 +172,14 @@ matrixDrawing matrix =
         (x, y) = (columnStarts V.! column, rowStarts V.! row)
     (rowNames, columnNames) = (namesOf (matrixRows matrix), namesOf (matrixColumns matrix))
     namesOf = V.fromList . map (matrixName matrix) . concatMap groupMembers
-    (rowStarts, columnStarts) = (startsOf rows (matrixRows matrix), startsOf columns (matrixColumns matrix))
-    startsOf line = V.fromList . mapMaybe (`Map.lookup` lineStarts line) . concatMap groupMembers
+    (rowStarts, columnStarts) = (V.fromList (lineStarts rows), V.fromList (lineStarts columns))
     groupLine s = plain Reference (Polyline [Place (left + inset + s) bottom, Place (left + inset + s) top])
     groupLineAcross s = plain Reference (Polyline [Place left (top - inset - s), Place right (top - inset - s)])
 
     names line groups
       | fits =
         [ Span (matrixName matrix thing) s (s + cell)
-        | thing <- concatMap groupMembers groups
-        , Just s <- [Map.lookup thing (lineStarts line)]
+        | (thing, s) <- zip (concatMap groupMembers groups) (lineStarts line)
         ]
       | otherwise = lineSpans line
     fits = all (\thing -> textWidth TickLabel (matrixName matrix thing) + 3 <= cell) across'
@@ -249,8 +247,9 @@ percentage part whole = Text.pack (showFFloat (Just 1) share " %")
     share = 100 * fromIntegral part / fromIntegral (max 1 whole) :: Double
 
 -- | Where rows or columns lie, from their beginning.
-data Line thing = Line
-  { lineStarts :: !(Map.Map thing Double)
+data Line = Line
+  { lineStarts :: ![Double]
+  -- ^ Of each thing.
   , lineSpans :: ![Span]
   , lineGaps :: ![Double]
   -- ^ The middles of the gaps.
@@ -283,10 +282,10 @@ setApart cell groups = take (length groups) (False : zipWith between parts (drop
         final = length sizes - 1
 
 -- | Things one behind the other, each as wide as a cell, with gaps before the groups that are set apart.
-arranged :: Ord thing => Double -> Double -> [Bool] -> [Group thing] -> Line thing
+arranged :: Double -> Double -> [Bool] -> [Group thing] -> Line
 arranged cell gap areApart groups =
   Line
-    { lineStarts = Map.fromList (concat (zipWith starts offsets groups))
+    { lineStarts = concat (zipWith starts offsets groups)
     , lineSpans = [Span (groupLabel g) from (from + width g) | (from, g) <- zip offsets groups]
     , lineGaps = [from - gap / 2 | (from, True) <- zip offsets areApart]
     , lineLength = max cell (sum (map width groups) + sum gaps)
@@ -295,7 +294,7 @@ arranged cell gap areApart groups =
     width g = cell * fromIntegral (length (groupMembers g))
     gaps = [if isApart then gap else 0 | isApart <- areApart]
     offsets = zipWith (+) (scanl (+) 0 (map width groups)) (drop 1 (scanl (+) 0 gaps))
-    starts from g = [(thing, from + cell * k) | (k, thing) <- zip [0 ..] (groupMembers g)]
+    starts from g = [from + cell * k | (k, _) <- zip [0 ..] (groupMembers g)]
 
 -- | Those labels that have room beside others: the last two first, which are of what surrounds all else, then the
 -- others in order.

@@ -6,8 +6,6 @@ module Visibility.Format.Complex
   , polygonDocument
   ) where
 
-import Data.Aeson.Encoding (Encoding, Series, int, list, null_, pair, pairs, string)
-import Data.ByteString.Builder (Builder)
 import qualified Data.Vector as V
 import Visibility.Complex.Canonical
 import Visibility.Complex.Polygons

@@ -17,7 +17,6 @@ import Visibility.Exact.Point (Point (..))
 import Visibility.Format.Checked
 import Visibility.Format.Json.Shape
 import Visibility.Format.Json.Syntax
-import Visibility.Format.Outline
 import Visibility.Scene.Raw
 
 -- | What the text of a file says of a scene; the path is only what the file is called in problems. Polygons are those
@@ -135,24 +134,15 @@ propertiesAt path document = case value document of
         Just (at, document') -> case value document' of
           Null -> Good Nothing
           _ -> Just <$> readAt at document'
-      as = property "role" roleAt
+      as = fromMaybe Standing <$> property "role" roleAt
       description =
-        (,,) <$> property "name" stringAt <*> property "emission" numberAt <*> property "reflectivity" numberAt
+        stated <$> property "name" stringAt <*> property "emission" numberAt <*> property "reflectivity" numberAt
+      stated name e r polygon = described name polygon (materialWith black (MaterialOverride e r)) (rawSides polygon)
       faults = faulty description <> faulty as
-      properties =
-        Properties
-          { role = case as of
-              Good (Just Enclosing) -> Enclosing
-              _ -> Standing
-          , given = case description of
-              Good (name, e, r) -> \polygon ->
-                described
-                  name
-                  polygon
-                  (Material (fromMaybe (emission black) e) (fromMaybe (reflectivity black) r))
-                  (rawSides polygon)
-              Wrong _ -> id
-          }
+      properties = Properties {role = orElse Standing as, given = orElse id description}
+      orElse usual found = case found of
+        Good right -> right
+        Wrong _ -> usual
   other -> (faulty (wrongKind path other (Wanted "an object or null")), plain)
 
 roleAt :: JsonPath -> Document -> Checked Role

@@ -84,10 +84,7 @@ shapeAt wanted forms path document = case value document of
                   [] -> wrong path (MissingKey (fmap fst forms) (Wanted "a list of corners [x, y]"))
                   [(_, polygon)] -> polygon
                   (key, polygon) : (other, polygon') : _ -> wrong path (ClashingKeys key other) *> polygon <* polygon'
-                <*> ( Material
-                        <$> maybe (Good (emission black)) (uncurry numberAt) (member "emission")
-                        <*> maybe (Good (reflectivity black)) (uncurry numberAt) (member "reflectivity")
-                    )
+                <*> (materialWith black <$> overrideBy member)
                 <*> maybe (Good Map.empty) (uncurry sidesAt) (member "sides")
              )
   other -> wrongKind path other wanted
@@ -115,14 +112,13 @@ sidesAt path document = case value document of
 
 overrideAt :: JsonPath -> Document -> Checked MaterialOverride
 overrideAt path document = case value document of
-  Object members ->
-    let member = memberOf path members
-     in checkedKeys path ["emission", "reflectivity"] members
-          *> ( MaterialOverride
-                <$> traverse (uncurry numberAt) (member "emission")
-                <*> traverse (uncurry numberAt) (member "reflectivity")
-             )
+  Object members -> checkedKeys path ["emission", "reflectivity"] members *> overrideBy (memberOf path members)
   other -> wrongKind path other (Wanted "an object with the keys \"emission\", \"reflectivity\" or both")
+
+overrideBy :: (Text -> Maybe (JsonPath, Document)) -> Checked MaterialOverride
+overrideBy member = MaterialOverride <$> number "emission" <*> number "reflectivity"
+  where
+    number = traverse (uncurry numberAt) . member
 
 -- Writing ---------------------------------------------------------------------------------------------------------
 

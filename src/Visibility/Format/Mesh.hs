@@ -7,8 +7,6 @@ module Visibility.Format.Mesh
   , kindText
   ) where
 
-import Data.Aeson.Encoding (Encoding, list, pair, pairs, string)
-import Data.ByteString.Builder (Builder)
 import Visibility.Format.Json.Document
 import Visibility.Mesh
 import Visibility.Scene

@@ -5,9 +5,6 @@ module Visibility.Format.Radiosity
   ( radiosityDocument
   ) where
 
-import Data.Aeson.Encoding (Encoding, Series, int, list, pair, pairs, string)
-import Data.Aeson.Key (Key)
-import Data.ByteString.Builder (Builder)
 import Data.Maybe (fromMaybe)
 import Data.Ratio ((%))
 import qualified Visibility.Exact.RootSum as RootSum

@@ -7,9 +7,6 @@ module Visibility.Format.View
   , sideDocument
   ) where
 
-import Data.Aeson (Key)
-import Data.Aeson.Encoding (Encoding, Series, list, pair, pairs, string)
-import Data.ByteString.Builder (Builder)
 import Data.List (sortOn)
 import Visibility.Exact.Predicate (Direction (..))
 import Visibility.Exact.RootSum (RootSum)

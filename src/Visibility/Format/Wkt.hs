@@ -17,7 +17,6 @@ import Visibility.Error
 import Visibility.Exact.Point (Point (..))
 import Visibility.Format.Checked
 import Visibility.Format.Number
-import Visibility.Format.Outline
 import Visibility.Format.Utf8
 import Visibility.Scene.Raw
 

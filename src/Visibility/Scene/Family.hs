@@ -31,38 +31,31 @@ import Visibility.Scene.Family.Draw
 import Visibility.Scene.Family.Kettner (kettner, kettnerUnit)
 import Visibility.Scene.Raw
 
--- | A kind of scene.
+-- | A kind of scene. 'familyPurpose' says in a line what each is.
 data Family
-  = -- | Convex quadrilaterals of random shape and orientation, one in each cell of a jittered grid, close enough that a
-    -- corner sees about as many others however large the scene is.
+  = -- | Of random shape and orientation, one in each cell of a jittered grid.
     Random
-  | -- | Small quadrilaterals far apart: the number of visible pairs grows nearly with the square of the size.
+  | -- | The number of visible pairs grows nearly with the square of the size.
     Sparse
-  | -- | Unit squares in a square lattice, where nearly every line meets many corners.
-    Grid
-  | -- | A room with piers along its walls, and quadrilaterals in it.
+  | Grid
+  | -- | The piers stand along the walls.
     Room
-  | -- | Two combs, each with as many rectangular teeth as the size says, facing each other: non-convex, full of
-    -- parallels.
+  | -- | Full of parallels.
     Comb
-  | -- | Thin walls in random directions.
-    ThinWalls
-  | -- | Long slender triangles that are nearly parallel.
-    Needles
-  | -- | Tiny triangles near (1/2, 1/2), in line, nearly or exactly, with a corner at (12, 12) and one at (24, 24):
-    -- where Doubles go wrong. See "Visibility.Scene.Family.Kettner".
+  | ThinWalls
+  | Needles
+  | -- | Near (1/2, 1/2), with a corner at (12, 12) and one at (24, 24). See "Visibility.Scene.Family.Kettner".
     Kettner
-  | -- | Unit squares that touch at their corners, as the dark squares of a chessboard do.
+  | -- | As the dark squares of a chessboard do.
     Checkerboard
-  | -- | Unit squares in rows, side by side: they touch along sides, with alleys between the rows.
+  | -- | With alleys between the rows.
     Terraces
-  | -- | Thin walls of unit length in a square lattice, which meet at their ends and may close off pockets.
+  | -- | Of unit length in a square lattice; they may close off pockets.
     Maze
-  | -- | A convex ceiling of K² + K corners above a column of K walls, each of which sees the right part of it: a long
-    -- chain for searches that go from the wrong end. See "Visibility.Scene.Family.Ceiling".
+  | -- | Each wall sees the right part of the ceiling: a long chain for searches that go from the wrong end. See
+    -- "Visibility.Scene.Family.Ceiling".
     Ceiling
-  | -- | The same ceiling beside a tower: two polygons.
-    Tower
+  | Tower
   deriving (Eq, Ord, Show, Enum, Bounded)
 
 -- | The family's name on the command line.

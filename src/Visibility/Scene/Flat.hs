@@ -45,8 +45,9 @@ withFlatCorners cuts scene = (cut, [sideName scene (SideId (piece walks U.! c)) 
     -- Corners in one place stay in their order, those of one face of a wall before those of the other.
     sorted = U.modify (Intro.sortBy (\a b -> compareSpots walks a b <> compare a b)) (U.enumFromN 0 total)
     ranks = U.update_ (U.replicate total 0) sorted (U.enumFromN 0 total) :: U.Vector Int32
-    elements = elementStarts scene walks
-    (stated, names) = statedAnew scene walks elements
+    onWays = elementStarts scene walks
+    elements = U.fromList (map fst onWays)
+    (stated, names) = statedAnew scene walks onWays
     byStart = U.update_ (U.replicate total 0) elements (U.enumFromN 0 (U.length elements))
     boundary =
       Boundary
@@ -128,35 +129,31 @@ walksThrough cuts scene =
 compareSpots :: Walks -> Int -> Int -> Ordering
 compareSpots walks a b = comparePlaces (spots walks V.! a) (spots walks V.! b)
 
--- | The corners at which elements start, in the order of the file.
-elementStarts :: Scene -> Walks -> U.Vector Int
-elementStarts scene walks = U.fromList (concatMap alongSide [0 .. statedSideTotal stated - 1])
+-- | The corners at which elements start, in the order of the file, each with whether its element leads along its side
+-- in that order.
+elementStarts :: Scene -> Walks -> [(Int, Bool)]
+elementStarts scene walks = concatMap alongSide [0 .. statedSideTotal stated - 1]
   where
     stated = sceneStated scene
+    -- Ways are compared by how their first end compares with the second.
     alongSide side = concatMap along (sortBy order (bucketOf (piecesBySide scene) side))
       where
-        forward = sideDirection stated side
+        forward = comparePlacesAt (statedPlaces stated) (end 0) (end 1)
+        end k = fromIntegral (statedSideEnds stated U.! (2 * side + k))
         order = case forward of
           LT -> compareSpots walks
           _ -> flip (compareSpots walks)
-        along s = if pieceDirection scene walks s == forward then chains walks V.! s else reverse (chains walks V.! s)
-
--- | How the first end of a side of the file compares with the second.
-sideDirection :: Stated -> Int -> Ordering
-sideDirection stated side = comparePlacesAt (statedPlaces stated) (end 0) (end 1)
-  where
-    end k = fromIntegral (statedSideEnds stated U.! (2 * side + k))
-
--- | How the first end of a piece compares with the second, in the order of the walk.
-pieceDirection :: Scene -> Walks -> Int -> Ordering
-pieceDirection scene walks s = compareSpots walks s end
-  where
-    CornerId end = sideEnd scene (SideId s)
+        along s
+          | compareSpots walks s pieceEnd == forward = map (\c -> (c, True)) (chains walks V.! s)
+          | otherwise = map (\c -> (c, False)) (reverse (chains walks V.! s))
+          where
+            CornerId pieceEnd = sideEnd scene (SideId s)
 
 -- | What is stated of the new scene, with the elements as sides; and by corner, the stated corner that names it.
-statedAnew :: Scene -> Walks -> U.Vector Int -> (Stated, U.Vector Int32)
-statedAnew scene walks elements = (stated, names)
+statedAnew :: Scene -> Walks -> [(Int, Bool)] -> (Stated, U.Vector Int32)
+statedAnew scene walks onWays = (stated, names)
   where
+    elements = U.fromList (map fst onWays)
     old = sceneStated scene
     n = oldTotal walks
     oldSide c = fromIntegral (facedSides scene U.! (piece walks U.! c)) :: Int
@@ -189,7 +186,7 @@ statedAnew scene walks elements = (stated, names)
         , statedOwners = ownersFrom firsts
         , statedSideFirsts = sideFirsts
         , statedSideOwners = ownersFrom sideFirsts
-        , statedSideEnds = U.fromList (concatMap ends (U.toList elements))
+        , statedSideEnds = U.fromList (concatMap ends onWays)
         , statedOverrides =
             IntMap.fromList
               [ (k, own)
@@ -197,8 +194,4 @@ statedAnew scene walks elements = (stated, names)
               , Just own <- [IntMap.lookup (oldSide c) (statedOverrides old)]
               ]
         }
-    ends c
-      | pieceDirection scene walks (piece walks U.! c) == sideDirection old (oldSide c) = both
-      | otherwise = reverse both
-      where
-        both = [names U.! c, names U.! (follower walks U.! c)]
+    ends (c, isForward) = (if isForward then id else reverse) [names U.! c, names U.! (follower walks U.! c)]

@@ -11,9 +11,11 @@ module Visibility.Scene.Raw
   , Material (..)
   , black
   , MaterialOverride (..)
+  , materialWith
   ) where
 
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import Visibility.Exact.Point (Point)
 
@@ -88,3 +90,7 @@ data MaterialOverride = MaterialOverride
   , overrideReflectivity :: !(Maybe Rational)
   }
   deriving (Eq, Ord, Show)
+
+-- | A material with what is stated anew.
+materialWith :: Material -> MaterialOverride -> Material
+materialWith (Material e r) (MaterialOverride e' r') = Material (fromMaybe e e') (fromMaybe r r')

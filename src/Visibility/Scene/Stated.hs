@@ -19,7 +19,6 @@ module Visibility.Scene.Stated
 import Data.Int (Int32)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector as V
 import qualified Data.Vector.Unboxed as U
 import Visibility.Exact.Point
@@ -64,7 +63,7 @@ statedFrom shapes o =
     , statedMaterials = V.foldr seq materials materials
     , statedOverrides =
         IntMap.fromList
-          [ (firsts U.! p + k, overridden (rawMaterial polygon) own)
+          [ (firsts U.! p + k, materialWith (rawMaterial polygon) own)
           | (p, (_, polygon)) <- zip [0 ..] shapes
           , (k, own) <- Map.toList (rawSides polygon)
           ]
@@ -78,7 +77,6 @@ statedFrom shapes o =
     materials = V.fromListN (length shapes) (map (shared . rawMaterial . snd) shapes)
     -- Of the most frequent one there is one only in memory.
     shared material = if material == black then black else material
-    overridden (Material e r) (MaterialOverride e' r') = Material (fromMaybe e e') (fromMaybe r r')
 
 -- 'statedSideEnds' from the forms of polygons, their first corners and sides, and the polygons of sides.
 sideEndsFrom :: V.Vector Form -> U.Vector Int -> U.Vector Int -> U.Vector Int32 -> U.Vector Int32

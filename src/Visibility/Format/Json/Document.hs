@@ -7,9 +7,14 @@ module Visibility.Format.Json.Document
   , exact
   , exactPoint
   , rationalBuilder
+    -- * What they consist of
+  , Builder
+  , Key
+  , module Data.Aeson.Encoding
   ) where
 
-import Data.Aeson.Encoding (Encoding, Series, fromEncoding, list, pair, pairs, string, unsafeToEncoding)
+import Data.Aeson (Key)
+import Data.Aeson.Encoding (Encoding, Series, fromEncoding, int, list, null_, pair, pairs, string, unsafeToEncoding)
 import Data.ByteString.Builder (Builder, char7, integerDec)
 import Data.Ratio (denominator, numerator)
 import Visibility.Exact.Point (Point (..))
