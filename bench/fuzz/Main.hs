@@ -4,8 +4,8 @@
 -- compiled with @-fhpc@.
 --
 -- Of each file it asks that an answer comes within two seconds and is a documented one, and of each small scene that
--- the sweep finds what brute force finds. New files go to @OUT/corpus@, each as small as it was found to be, and those that
--- fail to @OUT/findings@; the exit status is 1 if there are any.
+-- the sweep finds what brute force finds. New files go to @OUT/corpus@, each as small as it was found to be, and those
+-- that fail to @OUT/findings@; the exit status is 1 if there are any.
 module Main (main) where
 
 import Control.Exception (SomeException, evaluate, try)

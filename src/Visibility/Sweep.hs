@@ -62,8 +62,9 @@ verticesBy Reference = referenceVertices
 --
 -- /Laws/ @referenceVertices s == vertices s@.
 referenceVertices :: Scene -> [Vertex]
-referenceVertices scene = zipWith const (unfoldr (Reference.step scene) (Reference.start scene)) (replicate most () <> more)
+referenceVertices scene = zipWith const swept (replicate most () <> more)
   where
+    swept = unfoldr (Reference.step scene) (Reference.start scene)
     most = cornerCount scene * (cornerCount scene - 1) `div` 2
     -- Unsafe arithmetic may go round in circles.
     more = broken "each elementary pair is swept once" (show most)

@@ -1,5 +1,5 @@
--- | The command line where something fails that is not the program's: writing, memory, signals. The file that @-o@ names
--- is whole, new or old, nothing else is left beside it, and the exit code is one of the list.
+-- | The command line where something fails that is not the program's: writing, memory, signals. The file that @-o@
+-- names is whole, new or old, nothing else is left beside it, and the exit code is one of the list.
 module Command.FaultSpec (spec) where
 
 import Command.Run

@@ -14,9 +14,9 @@ import Numeric (showFFloat)
 import System.CPUTime (getCPUTime)
 import System.Mem (performGC)
 
--- | The least processor time of some work on each scene, in so many turns. The scenes take turns, so that a machine that is slower for a
--- while is so for all of them; small ones are worked on many times in a turn. Each scene comes out of a cell, so that
--- no run can share the result of another.
+-- | The least processor time of some work on each scene, in so many turns. The scenes take turns, so that a machine
+-- that is slower for a while is so for all of them; small ones are worked on many times in a turn. Each scene comes out
+-- of a cell, so that no run can share the result of another.
 bestTimes :: Int -> [a] -> (a -> Int) -> IO [Double]
 bestTimes rounds scenes work = do
   cells <- mapM newIORef scenes

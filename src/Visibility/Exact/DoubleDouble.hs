@@ -152,8 +152,8 @@ data Scaled = Scaled !Integer !Integer !Int
 
 -- | A sum of lengths divided by twice a length, enclosed, if the sum is surely positive.
 --
--- With h = m·2^j, everything is counted in units of 2^(j−64), that is, 2^-116 h or less. What is below a unit is cut off
--- from g and the slack; two units outwards make up for that.
+-- With h = m·2^j, everything is counted in units of 2^(j−64), that is, 2^-116 h or less. What is below a unit is cut
+-- off from g and the slack; two units outwards make up for that.
 --
 -- /Laws/ the exact quotient lies between. The ends are positive, and about 2^-100 of them apart, as long as the lengths
 -- do not cancel.

@@ -148,7 +148,8 @@ data Places
 -- | /Cost/ O(n).
 placesFrom :: [LatticePoint] -> Places
 placesFrom points
-  | all isSmall points = SmallPlaces (U.fromList (concat [[fromInteger x, fromInteger y] | LatticePoint x y _ <- points]))
+  | all isSmall points =
+      SmallPlaces (U.fromList (concat [[fromInteger x, fromInteger y] | LatticePoint x y _ <- points]))
   | otherwise = LargePlaces (V.fromList points)
   where
     isSmall (LatticePoint x y w) = w == 1 && inRange x && inRange y

@@ -136,8 +136,8 @@ root c n
 
 -- | @hypotenuse c x y@ is c √(x² + y²): a multiple of the length of an integer vector. Unlike 'root' it cannot fail.
 --
--- /Shape/ at most one term, its radicand that of the primitive vector (x, y) / gcd(x, y). On the lattice of a scene with
--- many denominators the gcd is nearly as long as x and y.
+-- /Shape/ at most one term, its radicand that of the primitive vector (x, y) / gcd(x, y). On the lattice of a scene
+-- with many denominators the gcd is nearly as long as x and y.
 hypotenuse :: Rational -> Integer -> Integer -> RootSum
 hypotenuse c x y
   | g == 0 = zero

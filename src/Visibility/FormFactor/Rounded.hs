@@ -1,5 +1,5 @@
--- | Form factors, each correctly rounded, to a Double or to a decimal, at a small multiple of the cost of computing with
--- Doubles.
+-- | Form factors, each correctly rounded, to a Double or to a decimal, at a small multiple of the cost of computing
+-- with Doubles.
 module Visibility.FormFactor.Rounded
   ( FactorRow (..)
   , nearestFactors
@@ -66,8 +66,8 @@ toDigits wanted = Rounder between (Bytes.pack . decimal wanted)
   where
     between total by = Bytes.pack <$> (scaledHalfQuotient total by >>= decimalBetween wanted)
 
--- | How a form factor is rounded: from a sum of lengths and the length to divide twice of, if their bounds leave no doubt
--- that it is positive, and how it is rounded; and from its exact value.
+-- | How a form factor is rounded: from a sum of lengths and the length to divide twice of, if their bounds leave no
+-- doubt that it is positive, and how it is rounded; and from its exact value.
 data Rounder a = Rounder !(Sum2 -> Double2 -> Maybe a) !(RootSum -> a)
 
 -- | What is told of a form factor is made of its rounded value and of its measure.

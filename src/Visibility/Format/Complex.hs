@@ -76,8 +76,8 @@ complexOf complex content = document (pair "corners" (list corner (statedCorners
 
 -- | The complex of polygons, in its own order: it depends on the scene only, to the last byte.
 --
--- /Shape/ @corners@; @vertices@; @edges@; @faces@. @vertex@ and @parts@ are numbers in 'complexDocument', of the vertex,
--- of edges, of faces. Where the complex has no outlines there are @faces@ only, without vertices and chains.
+-- /Shape/ @corners@; @vertices@; @edges@; @faces@. @vertex@ and @parts@ are numbers in 'complexDocument', of the
+-- vertex, of edges, of faces. Where the complex has no outlines there are @faces@ only, without vertices and chains.
 --
 -- /Cost/ O(m log m).
 polygonDocument :: PolygonComplex -> Builder

@@ -36,8 +36,8 @@ data Detail = DecimalsOnly | WithExactMeasures
 -- | What sides are called: 'sideBuilder', or the names of elements.
 type Naming = SideName -> Builder
 
--- | The document of form factors with their exact measures. Decimals are correctly rounded to so many significant digits;
--- factors that are exactly zero are not there.
+-- | The document of form factors with their exact measures. Decimals are correctly rounded to so many significant
+-- digits; factors that are exactly zero are not there.
 --
 -- /Shape/ CSV: header @from,to,value,measure@, the measure as Σ coefficient·√radicand = 2·L·F, such as
 -- @1\/2*sqrt(13) - 3*sqrt(2)@. JSON: see the contract of formats. Text: a block per side.

@@ -27,7 +27,10 @@ data Moment = JustBefore | JustThen | JustAfter
 entersSolid :: Scene -> Moment -> CornerId -> Direction -> Bool
 entersSolid scene moment c ray
   | isWallEnd scene c = False
-  | otherwise = insideArc directionTurn (to, from) ray || (moment == JustAfter && along to) || (moment == JustBefore && along from)
+  | otherwise =
+      insideArc directionTurn (to, from) ray
+        || (moment == JustAfter && along to)
+        || (moment == JustBefore && along from)
   where
     to = heading scene c (nextCorner scene c)
     from = heading scene c (previousCorner scene c)

@@ -281,9 +281,10 @@ statedHere scene (CornerId c) = bucketSlice (statedByPlace scene) (fromIntegral 
 cornersNamed :: Scene -> CornerName -> Maybe [CornerId]
 cornersNamed scene name = cornersIn <$> statedNumber (sceneStated scene) name
   where
-    cornersIn i = map CornerId (takeWhile ((== place) . (places U.!)) [firstWhere ((>= place) . (places U.!)) 0 n .. n - 1])
+    cornersIn i = map CornerId (takeWhile ((== place) . (places U.!)) [first .. n - 1])
       where
         place = statedPlaceNumbers scene U.! i
+        first = firstWhere ((>= place) . (places U.!)) 0 n
     places = placeNumbers scene
     n = cornerCount scene
 

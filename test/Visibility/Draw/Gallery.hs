@@ -70,8 +70,8 @@ goldenScenes =
     points = map (uncurry Point)
 
 -- | Scenes with parts that differ by more than Doubles hold: things of size 1 and gaps of 1 where others are larger by
--- powers of ten; with the length of the first side, which is that of an axis. A chamfer, a solid and a free spike, a pocket
--- with a light in it, a wall and a light that are points.
+-- powers of ten; with the length of the first side, which is that of an axis. A chamfer, a solid and a free spike, a
+-- pocket with a light in it, a wall and a light that are points.
 extremeScenes :: [(String, String, RawScene)]
 extremeScenes =
   concat

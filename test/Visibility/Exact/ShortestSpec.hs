@@ -14,7 +14,8 @@ import Visibility.Exact.Shortest
 text :: Double -> String
 text = Lazy.unpack . Builder.toLazyByteString . shortest
 
--- | Where a positive Double begins and ends: half-way to its neighbours, the greatest one's upper neighbour being 2¹⁰²⁴.
+-- | Where a positive Double begins and ends: half-way to its neighbours, the greatest one's upper neighbour being
+-- 2¹⁰²⁴.
 ends :: Double -> (Rational, Rational)
 ends x = (half (value (bits - 1)), half (value (bits + 1)))
   where
@@ -23,8 +24,8 @@ ends x = (half (value (bits - 1)), half (value (bits + 1)))
     value :: Word64 -> Rational
     value w = if w == 0x7ff0000000000000 then 2 ^ (1024 :: Int) else toRational (castWord64ToDouble w)
 
--- | The shortest decimal of a positive Double by trial, its figures and the power of ten of the last one: with ever more
--- of them, the nearest one on either side, if one is within the ends.
+-- | The shortest decimal of a positive Double by trial, its figures and the power of ten of the last one: with ever
+-- more of them, the nearest one on either side, if one is within the ends.
 byTrial :: Double -> (Integer, Int)
 byTrial x = head [nearest | k <- [most, most - 1 ..], nearest <- take 1 (candidates k)]
   where

@@ -104,8 +104,8 @@ spec = do
     it "untangling loses no corner" $
       property $ \points -> let ps = take 8 (nub points) in length (nub (untangled ps)) === length ps
   where
-    -- Wrong once in 100 000 times that the rates are as they should be, which takes half as many scenes as the library's
-    -- once in 10⁹.
+    -- Wrong once in 100 000 times that the rates are as they should be, which takes half as many scenes as the
+    -- library's once in 10⁹.
     checked :: Testable property => property -> Property
     checked = checkCoverageWith stdConfidence {certainty = 10 ^ (5 :: Int)}
     cycle' xs = if null xs then [] else cycle xs

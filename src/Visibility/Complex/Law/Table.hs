@@ -9,6 +9,7 @@ module Visibility.Complex.Law.Table
   , sweptVertices
   ) where
 
+import Data.Int (Int32)
 import Data.List (groupBy, sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as U
@@ -59,32 +60,34 @@ wellFormed =
           , ("chainStarts", numbersOf chainStarts, 4 * f + 1, 0, chained)
           , ("chains", numbersOf chains, chained, 0, e - 1)
           ]
-        numbersOf :: (Complex -> Table index item) -> [Int]
-        numbersOf table = map fromIntegral (U.toList (tableNumbers (table complex)))
+        numbersOf :: (Complex -> Table index item) -> U.Vector Int32
+        numbersOf table = tableNumbers (table complex)
+        listed = map fromIntegral . U.toList :: U.Vector Int32 -> [Int]
         chained = tableLength (chains complex)
         lengths =
           [ name <> " has " <> show found <> " entries, not " <> show expected
           | (name, table, expected, _, _) <- tables
-          , let found = length table
+          , let found = U.length table
           , found /= expected
           ]
         numbers =
           [ name <> " has " <> show x <> " at " <> show i <> ", not one of " <> show low <> " to " <> show high
           | (name, table, _, low, high) <- tables
-          , (i, x) <- zip [0 :: Int ..] table
+          , (i, x) <- zip [0 :: Int ..] (listed table)
           , x < low || x > high
           ]
         rows =
           [ "vertexStarts does not rise by 2 or more from 0 to the number of stretches"
-          | let starts = numbersOf vertexStarts
+          | let starts = listed (numbersOf vertexStarts)
           , or (zipWith (\a b -> b - a < 2) starts (drop 1 starts)) || take 1 starts /= [0] || drop v starts /= [e]
           ]
             <> [ "a chain of face " <> show (i `quot` 4) <> " ends before it begins"
-               | (i, a, b) <- zip3 [0 :: Int ..] (numbersOf chainStarts) (drop 1 (numbersOf chainStarts))
+               | let starts = listed (numbersOf chainStarts)
+               , (i, a, b) <- zip3 [0 :: Int ..] starts (drop 1 starts)
                , a > b
                ]
             <> [ "the chains do not fill their table"
-               | let starts = numbersOf chainStarts
+               | let starts = listed (numbersOf chainStarts)
                , take 1 starts /= [0] || drop (4 * f) starts /= [chained]
                ]
 
@@ -168,12 +171,13 @@ pairsSee =
       | let rays = raysIn (complexScene complex)
       , v <- vertexIds complex
       , let pairs = vertexPairs (complexScene complex) (vertexAt complex v)
+            here = vertexLabel complex v
       , fault <-
-          [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> vertexLabel complex v <> ": " <> fault
+          [ cornerLabel complex p <> " and " <> cornerLabel complex q <> " of " <> here <> ": " <> fault
           | (p, q) <- pairs
           , fault <- faults complex rays p q
           ]
-            <> [vertexLabel complex v <> " has corners without a pair" | areMissing complex (cornersOf complex v) pairs]
+            <> [here <> " has corners without a pair" | areMissing complex (cornersOf complex v) pairs]
       ]
   where
     areMissing complex line pairs =
