@@ -11,11 +11,11 @@ EXE=bin/viscomplex
 # Words, as make has them.
 eval "CABAL_FLAGS=(${CABAL_FLAGS:-})"
 
-# All state of cabal lies in the checkout. Where the installed packages suffice, cabal knows no other source and never
+# All state of cabal lies in the checkout, that of two builds at once apart. Where the installed packages suffice, cabal knows no other source and never
 # looks for a network.
 cabal() {
   if [ -e dist-newstyle/from-hackage ]; then command cabal "$@"
-  else CABAL_DIR="$PWD/dist-newstyle/cabal" CABAL_CONFIG="$PWD/cabal.offline.config" command cabal "$@"
+  else CABAL_DIR="$PWD/$BUILDDIR/cabal" CABAL_CONFIG="$PWD/cabal.offline.config" command cabal "$@"
   fi
 }
 
